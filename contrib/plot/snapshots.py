@@ -1,0 +1,211 @@
+#!/usr/bin/python3
+"""Draw snapshots of a Lahar run: one field in colour, unyielded fluid shaded, walls dark.
+
+    snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed
+
+The walls come from the run's parameters.prm, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
+starts is a solid body.
+"""
+
+import argparse
+import math
+import pathlib
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.patches import Patch
+
+from figure_style import INK, WIDTH, plt, save, use_style
+from lahar_output import (OutputError, nearest_snapshots, parse_walls, read_pvd, read_vtu, read_walls, run_script)
+
+LABELS = {
+    "speed": "speed (m/s)", "velocity": "speed (m/s)", "pressure": "pressure (Pa)", "strain_rate": "strain rate (1/s)",
+    "effective_viscosity": "effective viscosity (Pa s)", "yielded": "yielded",
+}
+BY_CELL = ("strain_rate", "effective_viscosity", "yielded")
+N_DEFAULT_PANELS = 4
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", type=pathlib.Path, metavar="OUTPUT_DIR", help="output directory of a run")
+    parser.add_argument("-o", "--output", required=True, help="the picture (.png, .pdf, .svg)")
+    parser.add_argument("--times", type=float, nargs="+", metavar="T",
+                        help=f"times in s; the nearest snapshots are drawn (default: {N_DEFAULT_PANELS} over the run)")
+    parser.add_argument("--field", default="speed", help="speed, or a field of the VTU files (default: %(default)s)")
+    parser.add_argument("--log", action="store_true", help="logarithmic colours")
+    parser.add_argument("--walls", help="draw these walls instead of those in parameters.prm")
+    parser.add_argument("--limits", type=float, nargs=4, metavar=("X0", "X1", "Y0", "Y1"), help="the part drawn, in m")
+    parser.add_argument("--columns", type=int, help="panels side by side (default: by the shape of the flow)")
+    return parser.parse_args()
+
+
+# ---------------------------------------------------------------------------------------------------------- data
+
+
+def choose_snapshots(directory, times):
+    path = directory / "solution.pvd"
+    snapshots = read_pvd(path)
+    if not snapshots:
+        raise OutputError(f"{path}: no snapshot")
+    if times is None:
+        times = np.linspace(snapshots[0][0], snapshots[-1][0], N_DEFAULT_PANELS)
+    return nearest_snapshots(snapshots, times)
+
+
+def field_values(mesh, name):
+    """The field by point or by triangle, and the magnitude where it is a vector."""
+    name = "velocity" if name == "speed" else name
+    values = mesh.at_cells(name) if name in BY_CELL or name in mesh.cell_data else mesh.at_points(name)
+    return values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+
+
+def color_scale(all_values, name, logarithmic):
+    """One scale for all panels; a few extreme values, of single drops for example, do not set it."""
+    values = np.concatenate(all_values)
+    values = values[np.isfinite(values)]
+    if logarithmic:
+        values = values[values > 0]
+    if len(values) == 0:
+        raise OutputError(f"field '{name}' has no value to draw")
+    lower, upper = np.percentile(values, [0.2, 99.8])
+    if logarithmic:
+        return LogNorm(lower, upper)
+    return Normalize(0 if lower >= 0 else lower, upper if upper > 0 else 1)
+
+
+def extension(norm, all_values):
+    """The ends of the colour bar beyond which values lie."""
+    is_below = min(np.nanmin(values) for values in all_values) < norm.vmin
+    is_above = max(np.nanmax(values) for values in all_values) > norm.vmax
+    return {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[int(is_below), int(is_above)]
+
+
+def view(meshes, walls, limits):
+    """The rectangle drawn (x0, x1, y0, y1): fluid and walls with a small margin."""
+    if limits:
+        if limits[0] >= limits[1] or limits[2] >= limits[3]:
+            raise OutputError("--limits X0 X1 Y0 Y1 needs X0 < X1 and Y0 < Y1")
+        return limits
+    points = np.concatenate([mesh.points for mesh in meshes] + [wall.corners for wall in walls])
+    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
+    margin = 0.03 * max(x1 - x0, y1 - y0)
+    return x0 - margin, x1 + margin, y0 - margin, y1 + margin
+
+
+def edges_with_cells(mesh):
+    """Every edge as its two points and the one or two triangles beside it (the second is -1 on the boundary)."""
+    size = np.ptp(mesh.points, axis=0).max()
+    _, vertices = np.unique(np.round(mesh.points / (1e-6 * size)).astype(np.int64), axis=0, return_inverse=True)
+    corners = np.concatenate([mesh.triangles[:, [0, 1]], mesh.triangles[:, [1, 2]], mesh.triangles[:, [2, 0]]])
+    cells = np.tile(np.arange(len(mesh.triangles)), 3)
+    _, first, edge = np.unique(np.sort(vertices.reshape(-1)[corners], axis=1), axis=0, return_index=True,
+                               return_inverse=True)
+    edge = edge.reshape(-1)
+    others = np.full(len(first), -1)
+    is_second = np.ones(len(edge), dtype=bool)
+    is_second[first] = False
+    others[edge[is_second]] = cells[is_second]
+    return corners[first], cells[first], others
+
+
+# ------------------------------------------------------------------------------------------------------- drawing
+
+
+def draw_field(axes, mesh, values, norm):
+    if len(values) == len(mesh.triangles):
+        return axes.tripcolor(*mesh.points.T, mesh.triangles, facecolors=values, norm=norm, cmap="viridis",
+                              antialiased=False, rasterized=True)
+    return axes.tripcolor(*mesh.points.T, mesh.triangles, values, norm=norm, cmap="viridis", shading="gouraud",
+                          rasterized=True)
+
+
+def draw_unyielded(axes, mesh):
+    """Shade the unyielded fluid and draw the yield surface; say whether there was any."""
+    if not mesh.has_field("yielded"):
+        return False
+    is_rigid = mesh.at_cells("yielded") < 0.5
+    axes.add_collection(PolyCollection(mesh.points[mesh.triangles[is_rigid]], facecolor="white", alpha=0.45,
+                                       edgecolor="none", antialiased=False, rasterized=True))
+    corners, cells, others = edges_with_cells(mesh)
+    is_yield_surface = (others >= 0) & (is_rigid[cells] != is_rigid[others])
+    axes.add_collection(LineCollection(mesh.points[corners[is_yield_surface]], color="white", linewidth=0.7))
+    return bool(is_rigid.any())
+
+
+def draw_outline(axes, mesh):
+    corners, _, others = edges_with_cells(mesh)
+    axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5))
+
+
+def draw_walls(axes, walls):
+    for wall in walls:
+        if wall.is_closed:
+            axes.fill(*wall.corners.T, facecolor="0.45", edgecolor=INK, linewidth=1.2)
+        else:
+            axes.plot(*wall.corners.T, color=INK, linewidth=1.8, solid_capstyle="butt", solid_joinstyle="miter")
+
+
+def make_axes(n_panels, limits, n_columns):
+    """A grid of panels that is neither very flat nor very tall."""
+    aspect = (limits[3] - limits[2]) / (limits[1] - limits[0])
+    if n_columns is None:
+        n_columns = min(range(1, n_panels + 1),
+                        key=lambda n: abs(math.log(math.ceil(n_panels / n) * aspect / n / 0.7)))
+    n_columns = min(n_columns, n_panels)
+    n_rows = math.ceil(n_panels / n_columns)
+    height = n_rows * (0.86 * WIDTH / n_columns * aspect + 0.3) + 0.3
+    figure, axes = plt.subplots(n_rows, n_columns, figsize=(WIDTH, height), sharex=True, sharey=True, squeeze=False,
+                                layout="constrained")
+    for unused in axes.flat[n_panels:]:
+        unused.set_visible(False)
+    return figure, axes
+
+
+def label_axes(axes, n_panels):
+    """Label x below every column's last panel, y beside the first column."""
+    n_columns = axes.shape[1]
+    for i, panel in enumerate(axes.flat[:n_panels]):
+        is_last = i + n_columns >= n_panels
+        panel.tick_params(top=True, right=True, labelbottom=is_last)
+        panel.set_xlabel("$x$ (m)" if is_last else "")
+    for panel in axes[:, 0]:
+        panel.set_ylabel("$y$ (m)")
+
+
+def draw(arguments):
+    snapshots = choose_snapshots(arguments.directory, arguments.times)
+    walls = parse_walls(arguments.walls) if arguments.walls else read_walls(arguments.directory / "parameters.prm")
+    meshes = [read_vtu(path) for _, path in snapshots]
+    all_values = [field_values(mesh, arguments.field) for mesh in meshes]
+    norm = color_scale(all_values, arguments.field, arguments.log)
+    limits = view(meshes, walls, arguments.limits)
+
+    figure, axes = make_axes(len(meshes), limits, arguments.columns)
+    has_unyielded = False
+    for panel, (time, _), mesh, values in zip(axes.flat, snapshots, meshes, all_values):
+        image = draw_field(panel, mesh, values, norm)
+        has_unyielded |= draw_unyielded(panel, mesh)
+        draw_outline(panel, mesh)
+        draw_walls(panel, walls)
+        panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:], title=f"$t$ = {time:.4g} s")
+    label_axes(axes, len(meshes))
+    figure.colorbar(image, ax=axes, label=LABELS.get(arguments.field, arguments.field), extend=extension(norm, all_values),
+                    fraction=0.03, pad=0.015, aspect=25)
+    if has_unyielded:
+        axes[0, 0].legend(handles=[Patch(facecolor="0.85", edgecolor="0.5", linewidth=0.7, label="unyielded (paler)")],
+                          loc="upper right")
+    return figure
+
+
+def main():
+    arguments = parse_arguments()
+    if arguments.columns is not None and arguments.columns < 1:
+        raise OutputError("--columns must be 1 or more")
+    use_style()
+    save(draw(arguments), arguments.output)
+
+
+if __name__ == "__main__":
+    run_script(main)

@@ -1,0 +1,68 @@
+#ifndef lahar_assembly_fluid_assembler_h
+#define lahar_assembly_fluid_assembler_h
+
+#include <lahar/assembly/fluid_state.h>
+#include <lahar/assembly/terms.h>
+#include <lahar/linear/block_system.h>
+#include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/utilities/parameters.h>
+
+#include <optional>
+
+namespace Lahar
+{
+  /**
+   * Assembles the fluid's residual and Jacobian: the sum of the terms over the cells and the free-surface faces.
+   */
+  template <int dim>
+  class FluidAssembler
+  {
+  public:
+    /// What the Jacobian contains.
+    struct Linearization
+    {
+      ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
+      bool motion                      = true; ///< the dependence of the geometry on the velocity
+      double pseudo_bulk_ratio         = 0.;   ///< PseudoBulkStiffness of the segregated scheme
+    };
+
+    static void declare_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
+
+    /**
+     * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, with h the edge of the equilateral simplex of the
+     * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step.
+     */
+    void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+
+    /// Set Λ = 2 f d' of all cells from the present velocities.
+    void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+
+    /**
+     * Move Λ along after the velocities changed by @p increment (by vertex), before the state takes the increment:
+     * Λ ← [2 (d' + δd') − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
+     */
+    void update_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                             const std::vector<Tensor<1, dim>> &increment, FluidState<dim> &state) const;
+
+    /// Assemble. @return whether all cells have positive volume; if not, the system is incomplete.
+    bool assemble(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
+                  const FluidState<dim> &state, const Linearization &linearization,
+                  BlockSystem<dim> &system) const;
+
+  private:
+    enum class Stabilization
+    {
+      fic,          ///< FICInterior and FICFreeSurface
+      fic_interior, ///< FICInterior
+      residual      ///< ResidualStabilization
+    };
+
+    void gather(const Simplex<dim> &vertices, const FluidState<dim> &state, FluidCell<dim> &cell) const;
+
+    Stabilization stabilization = Stabilization::residual;
+    double viscosity_limit      = 0.1;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,128 @@
+#ifndef lahar_assembly_fluid_cell_h
+#define lahar_assembly_fluid_cell_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <lahar/material/fluid_law.h>
+
+#include <array>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /// The derivatives of position and acceleration at the end of the step with respect to the velocity there, and Δt.
+  struct StepFactors
+  {
+    double time_step           = 0.; ///< Δt, s
+    double position_factor     = 0.; ///< ∂x/∂v, s
+    double acceleration_factor = 0.; ///< ∂a/∂v, 1/s
+  };
+
+  /**
+   * What the terms of the weak form need to know of one linear simplex at the end of the step.
+   *
+   * G_I = ∇N_I and V are those of the present configuration, L = Σ v_I ⊗ G_I. When the velocity of node J changes in
+   * direction e_b, the node moves by s e_b, s = ∂x/∂v, so that
+   *
+   *   δV = s V G_Jb,   δG_I = −s G_Ib G_J,   δL = w_b ⊗ G_J with w_b = e_b − s L e_b.
+   *
+   * With s = 0 in #motion the terms leave the derivatives of the geometry out.
+   */
+  template <int dim>
+  struct FluidCell
+  {
+    static constexpr unsigned int n_nodes = dim + 1;
+
+    std::array<Tensor<1, dim>, n_nodes> velocity;
+    std::array<Tensor<1, dim>, n_nodes> acceleration;
+    std::array<double, n_nodes> pressure;
+    std::array<double, n_nodes> old_pressure;
+    std::array<double, n_nodes> old_pressure_rate;
+
+    std::array<Tensor<1, dim>, n_nodes> gradients; ///< G_I, 1/m
+    double volume = 0.;
+
+    Tensor<2, dim> velocity_gradient; ///< L_ij = ∂v_i/∂x_j
+    SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
+    double strain_rate = 0.;          ///< γ̇ = sqrt(2 d':d')
+
+    double motion = 0.;                ///< s
+    std::array<Tensor<1, dim>, dim> w; ///< w_b
+    StepFactors factors;
+    Tensor<1, dim> gravity;
+    const FluidLaw *law  = nullptr;
+    double stabilization = 0.;            ///< τ_s, m³ s/kg
+    SymmetricTensor<2, dim> plastic_dual; ///< Λ of the primal–dual Newton scheme
+
+    /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
+    void reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion);
+
+    double mean_pressure() const
+    {
+      double sum = 0.;
+      for (const double p : pressure)
+        sum += p / n_nodes;
+      return sum;
+    }
+
+    Tensor<1, dim> mean_acceleration() const
+    {
+      Tensor<1, dim> sum;
+      for (const Tensor<1, dim> &a : acceleration)
+        sum += a / n_nodes;
+      return sum;
+    }
+
+    Tensor<1, dim> pressure_gradient() const
+    {
+      Tensor<1, dim> sum;
+      for (unsigned int I = 0; I < n_nodes; ++I)
+        sum += pressure[I] * gradients[I];
+      return sum;
+    }
+
+    /// ∫ N_I N_J over the cell, divided by its volume.
+    static constexpr double mass(const unsigned int I, const unsigned int J)
+    {
+      return (I == J ? 2. : 1.) / ((dim + 1) * (dim + 2));
+    }
+
+    /// ∫ N_I N_J over a face with both nodes, divided by its area.
+    static constexpr double face_mass(const unsigned int I, const unsigned int J)
+    {
+      return (I == J ? 2. : 1.) / (dim * (dim + 1));
+    }
+  };
+
+  /// Residual and Jacobian of one cell; node I has the velocity rows (I, 0 … dim−1) and the pressure row (I, dim).
+  template <int dim>
+  struct CellSystem
+  {
+    static constexpr unsigned int n_components = dim + 1;
+    static constexpr unsigned int n_unknowns   = (dim + 1) * n_components;
+
+    std::array<std::array<double, n_unknowns>, n_unknowns> matrix;
+    std::array<double, n_unknowns> residual;
+
+    static constexpr unsigned int index(const unsigned int node, const unsigned int component)
+    {
+      return node * n_components + component;
+    }
+
+    static constexpr unsigned int pressure_index(const unsigned int node)
+    {
+      return node * n_components + dim;
+    }
+
+    void clear()
+    {
+      for (auto &row : matrix)
+        row.fill(0.);
+      residual.fill(0.);
+    }
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef lahar_assembly_fluid_state_h
+#define lahar_assembly_fluid_state_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <lahar/assembly/fluid_cell.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
+   * by cell the dual variable Λ of the primal–dual Newton scheme and the stabilisation parameter τ_s.
+   */
+  template <int dim>
+  struct FluidState
+  {
+    std::vector<Point<dim>> old_position;
+    std::vector<Tensor<1, dim>> old_velocity, old_acceleration;
+    std::vector<double> old_pressure, old_pressure_rate;
+
+    std::vector<Point<dim>> position;
+    std::vector<Tensor<1, dim>> velocity, acceleration;
+    std::vector<double> pressure;
+
+    std::vector<double> stabilization;
+    std::vector<SymmetricTensor<2, dim>> plastic_dual;
+
+    StepFactors factors;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,118 @@
+#ifndef lahar_assembly_terms_h
+#define lahar_assembly_terms_h
+
+#include <lahar/assembly/fluid_cell.h>
+
+namespace Lahar
+{
+  /// How the viscosity enters the Jacobian.
+  enum class ViscosityLinearization
+  {
+    picard,     ///< μ_eff is taken as constant
+    newton,     ///< consistent derivative
+    primal_dual ///< consistent derivative of the viscous part, primal–dual derivative of the plastic part
+  };
+
+  /**
+   * Inertia: R_I += ∫ N_I ρ a, with the consistent mass matrix.
+   */
+  template <int dim>
+  struct Inertia
+  {
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * Weight: R_I −= ∫ N_I ρ g.
+   */
+  template <int dim>
+  struct BodyForce
+  {
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * Viscous and plastic stress: R_I += ∫ ∇N_I·τ, τ = 2 μ_eff d'.
+   *
+   * The Jacobian's material part is 2 μ_t I' + c (A ⊗ B + B ⊗ A). Picard: c = 0. Newton: A = B = d', c = 2 μ_eff'/γ̇.
+   * Primal–dual (De los Reyes & González Andrade 2010; Rudi, Shih & Stadler, arXiv 2003.11115): for the plastic part
+   * A = d', B = Λ̂ and c = −τ0 ψ'/(γ̇ ψ) with ψ = 1/f, Λ̂ = Λ/max(1, |Λ|), |Λ|² = Λ:Λ/2. With Λ = 2 f d' it equals Newton.
+   */
+  template <int dim>
+  class ViscousStress
+  {
+  public:
+    explicit ViscousStress(const ViscosityLinearization linearization)
+      : linearization(linearization)
+    {}
+
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+
+  private:
+    ViscosityLinearization linearization;
+  };
+
+  /**
+   * Pressure and incompressibility: R_I += ∫ ∇N_I p in the momentum rows; in the mass rows
+   * R_I += ∫ N_I (1/κ) (p − p_n)/Δt − ∫ N_I div v.
+   */
+  template <int dim>
+  struct PressureDivergence
+  {
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * FIC stabilisation inside the fluid (Oñate, Franci & Carbonell 2014):
+   * R_I += ∫ τ_s ∇N_I·(∇p + ρ g) + ∫ τ_s (ρ/κ) N_I (p − p_n − ṗ_n Δt)/Δt².
+   */
+  template <int dim>
+  struct FICInterior
+  {
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * FIC stabilisation on the free surface, where t = 0:
+   * R_I += ∫_Γ (2 τ_s/h_n) N_I p − ∫_Γ τ_s N_I (ρ a·n − (2/h_n) 2 μ_eff n·d'·n), h_n the cell's height over the face.
+   * The viscosity is held fixed in the Jacobian.
+   */
+  template <int dim>
+  struct FICFreeSurface
+  {
+    /// @param opposite the cell's node that the face does not have.
+    void assemble(const FluidCell<dim> &cell, const unsigned int opposite, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * Residual-based stabilisation (PSPG): R_I += ∫ τ_s ∇N_I·(∇p + ρ g − ρ a).
+   *
+   * Consistent without boundary terms; since the shape functions sum to one, the rows sum to ∫ div v = 0: the scheme
+   * keeps the fluid's volume to solver tolerance.
+   */
+  template <int dim>
+  struct ResidualStabilization
+  {
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * Pseudo-volumetric stiffness of the segregated scheme: K += ∫ Bᵀ (Δt κ_p 1⊗1) B. It stands in the Jacobian only.
+   */
+  template <int dim>
+  class PseudoBulkStiffness
+  {
+  public:
+    /// @param ratio κ_p Δt over ρ h²/Δt, the size at which it weighs as much as the mass.
+    explicit PseudoBulkStiffness(const double ratio)
+      : ratio(ratio)
+    {}
+
+    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+
+  private:
+    double ratio;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,22 @@
+#ifndef lahar_boundary_free_flight_h
+#define lahar_boundary_free_flight_h
+
+#include <lahar/boundary/walls.h>
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/remeshing/fluid_mesh.h>
+
+namespace Lahar
+{
+  /**
+   * Move the fluid particles without a cell, which fly freely: p = 0, a = g, v ← v + g Δt, x ← x + Δt (v_n + v)/2.
+   *
+   * A particle whose path would lead through a no-slip wall stops a tenth of its spacing in front of it. (At slip walls
+   * SlipCondition takes over.)
+   */
+  template <int dim>
+  void move_isolated_particles(const FluidMesh<dim> &mesh, const Walls<dim> &walls,
+                               const Tensor<1, dim> &gravity, const double time_step,
+                               ParticleCloud<dim> &cloud);
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,72 @@
+#ifndef lahar_boundary_walls_h
+#define lahar_boundary_walls_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <array>
+#include <vector>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /// One flat piece of a rigid wall: a segment in 2D, a triangle in 3D.
+  template <int dim>
+  struct WallFacet
+  {
+    std::array<Point<dim>, dim> corners;
+    bool slip = false; ///< free slip (no normal velocity) instead of no slip
+  };
+
+  /**
+   * The rigid walls of a case, as flat facets.
+   *
+   * No-slip walls carry particles and hold the fluid through the contact elements of the mesh. Slip walls carry none:
+   * fluid particles that touch them slide along them (SlipCondition).
+   */
+  template <int dim>
+  class Walls
+  {
+  public:
+    Walls() = default;
+    explicit Walls(const std::vector<WallFacet<dim>> &facets);
+
+    const std::vector<WallFacet<dim>> &facets() const
+    {
+      return all_facets;
+    }
+
+    /// Unit normal of a facet; its side follows from the order of the corners.
+    const Tensor<1, dim> &normal(const unsigned int facet) const
+    {
+      return normals[facet];
+    }
+
+    /// Signed distance of @p point from the plane of @p facet, positive on the side of the normal.
+    double signed_distance(const unsigned int facet, const Point<dim> &point) const;
+
+    /// Whether the foot of @p point on the plane of @p facet lies in the facet, enlarged by @p tolerance at its rim.
+    bool is_above(const unsigned int facet, const Point<dim> &point, const double tolerance) const;
+
+    /// Facets whose bounding box, enlarged by @p distance, holds @p point.
+    std::vector<unsigned int> near(const Point<dim> &point, const double distance) const;
+
+    /**
+     * Facets that the segment from @p a to @p b passes through from one side to the other. A segment that ends within
+     * @p tolerance of a facet does not pass through it.
+     */
+    std::vector<unsigned int> crossed(const Point<dim> &a, const Point<dim> &b, const double tolerance) const;
+
+  private:
+    std::vector<WallFacet<dim>> all_facets;
+    std::vector<Tensor<1, dim>> normals;
+
+    using Box = std::pair<BoundingBox<dim>, unsigned int>;
+    RTree<Box> tree;
+  };
+} // namespace Lahar
+
+#endif

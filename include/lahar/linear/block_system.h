@@ -1,0 +1,151 @@
+#ifndef lahar_linear_block_system_h
+#define lahar_linear_block_system_h
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/lac/trilinos_block_sparse_matrix.h>
+#include <deal.II/lac/trilinos_parallel_block_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /**
+   * Which velocity components of a node are prescribed: the first #n_fixed ones in the orthonormal basis whose vectors
+   * are the rows of #frame. A free node has none, a no-slip node all, a node on a slip wall one for each wall normal.
+   */
+  template <int dim>
+  struct NodeConstraint
+  {
+    unsigned int n_fixed = 0;
+    Tensor<2, dim> frame = unit_symmetric_tensor<dim>();
+  };
+
+  /// Rows of the nodal graph: the neighbours of node i are columns[row_start[i]] … columns[row_start[i+1]−1], ascending.
+  struct NodalGraph
+  {
+    std::vector<unsigned int> row_start;
+    std::vector<unsigned int> columns;
+  };
+
+  /**
+   * The Trilinos block system of one nonlinear iteration,
+   *
+   *   [ K   Q ] [δv]     [ R_v ]
+   *   [ C   H ] [δp] = − [ R_p ],
+   *
+   * C = −Qᵀ but for stabilisation and geometry. Velocity component a of node i is unknown dim i + a of block 0, its
+   * pressure unknown i of block 1. In all four blocks the columns of a row follow the nodal graph, so the place of an
+   * entry is computed, not searched for: add() costs one table lookup per pair of nodes.
+   *
+   * Prescribed components are eliminated while cells are added: their rows and columns stay empty but for the diagonal,
+   * their right-hand side is zero (increments keep prescribed values). Nodes with a skew frame have their unknowns in it.
+   */
+  template <int dim>
+  class BlockSystem
+  {
+  public:
+    static constexpr unsigned int n_corners = dim + 1;
+    using Cell                              = std::array<unsigned int, n_corners>;
+    using Vector                            = TrilinosWrappers::MPI::BlockVector;
+    using LocalArray                        = std::array<double, n_corners * n_corners>;
+
+    explicit BlockSystem(const MPI_Comm &communicator);
+
+    /// Number the unknowns and make the matrices for a new mesh of @p cells with @p n_nodes nodes.
+    void reinit(const unsigned int n_nodes, const std::vector<Cell> &cells);
+
+    /// Set the prescribed components, one entry a node.
+    void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
+
+    /// Clear matrix, right-hand side and reactions.
+    void set_zero();
+
+    /**
+     * Add matrix and residual of cell @p c. Local unknown (I, component) has the index I (dim+1) + component, component
+     * dim is the pressure.
+     */
+    void add(const unsigned int c,
+             const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
+             const std::array<double, n_corners * n_corners> &residual);
+
+    unsigned int n_nodes() const
+    {
+      return constraints.size();
+    }
+
+    const NodalGraph &graph() const
+    {
+      return nodal_graph;
+    }
+
+    /// Counts the calls of reinit(): solvers keep what belongs to one sparsity pattern.
+    unsigned int pattern_number() const
+    {
+      return n_reinits;
+    }
+
+    const TrilinosWrappers::BlockSparseMatrix &matrix() const
+    {
+      return block_matrix;
+    }
+
+    /// Values of block (@p row, @p column) in the order of the nodal graph.
+    const double *values(const unsigned int row, const unsigned int column) const
+    {
+      return block_values[row][column];
+    }
+
+    const Vector &right_hand_side() const
+    {
+      return rhs;
+    }
+
+    /// A vector of the system's layout, zero.
+    Vector make_vector() const;
+
+    /// Velocity increment of a node from the vector of unknowns.
+    Tensor<1, dim> velocity(const Vector &solution, const unsigned int node) const;
+
+    /// Pressure increment of a node.
+    double pressure(const Vector &solution, const unsigned int node) const;
+
+    /**
+     * Sum over the cells of the momentum residual of each node, prescribed components included, N: at a node whose
+     * velocity is prescribed it is the force of the wall on the fluid.
+     */
+    const std::vector<Tensor<1, dim>> &momentum_residual() const
+    {
+      return residuals;
+    }
+
+  private:
+    void make_graph(const unsigned int n_nodes);
+    void rotate(const Cell &cell,
+                std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
+                std::array<double, n_corners * n_corners> &residual) const;
+
+    MPI_Comm communicator;
+
+    std::vector<Cell> cells;
+    std::vector<std::array<unsigned short, n_corners * n_corners>>
+      places; ///< of node J in the row of node I, by cell
+    NodalGraph nodal_graph;
+    unsigned int n_reinits = 0;
+
+    std::vector<NodeConstraint<dim>> constraints;
+    bool any_skew = false;
+
+    TrilinosWrappers::BlockSparseMatrix block_matrix;
+    Vector rhs;
+    std::array<std::array<double *, 2>, 2> block_values = {};
+    std::array<double *, 2> rhs_values                  = {};
+    std::vector<Tensor<1, dim>> residuals;
+  };
+} // namespace Lahar
+
+#endif

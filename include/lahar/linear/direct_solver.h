@@ -1,0 +1,66 @@
+#ifndef lahar_linear_direct_solver_h
+#define lahar_linear_direct_solver_h
+
+#include <Amesos_BaseSolver.h>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_LinearProblem.h>
+#include <Epetra_MultiVector.h>
+
+#include <lahar/linear/linear_solver.h>
+
+#include <string>
+
+namespace Lahar
+{
+  /**
+   * Sparse factorisation of the whole system (Amesos: MUMPS or KLU), the unknowns of a node side by side.
+   *
+   * A factorisation serves as long as it is a good preconditioner: the next systems of the same pattern are solved by
+   * GMRES, preconditioned from the left by the last factorisation, until that takes more than a few iterations; then the
+   * matrix at hand is factorised. The tolerance is measured in the preconditioned residual, with velocity and
+   * pressure divided by their scales: it bounds the relative error of the increments that the nonlinear scheme checks.
+   */
+  template <int dim>
+  class DirectSolver : public LinearSolver<dim>
+  {
+  public:
+    using Vector = typename LinearSolver<dim>::Vector;
+
+    static void declare_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
+
+    unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
+                       const double pressure_scale, Vector &solution) override;
+
+    unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
+
+  private:
+    /// A matrix with its factorisation.
+    struct Factorization
+    {
+      std::unique_ptr<Epetra_CrsMatrix> matrix;
+      std::unique_ptr<Epetra_MultiVector> solution, right_hand_side;
+      Epetra_LinearProblem problem;
+      std::unique_ptr<Amesos_BaseSolver> solver;
+      unsigned int pattern = 0;
+
+      /// Take over a matrix of new pattern and analyse it.
+      void analyse(std::unique_ptr<Epetra_CrsMatrix> matrix, const std::string &package,
+                   const unsigned int pattern);
+      void factorize();
+      void apply();
+    };
+
+    void factorize_whole(const BlockSystem<dim> &system);
+    void apply_whole(const Vector &right_hand_side, Vector &solution);
+    unsigned int solve_by_gmres(const BlockSystem<dim> &system, const double velocity_scale,
+                                const double pressure_scale, Vector &solution);
+
+    std::string package         = "Amesos_Mumps";
+    double tolerance            = 1e-3;
+    unsigned int max_iterations = 10;
+    Factorization whole, blocks[2];
+  };
+} // namespace Lahar
+
+#endif

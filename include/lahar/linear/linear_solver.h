@@ -1,0 +1,43 @@
+#ifndef lahar_linear_linear_solver_h
+#define lahar_linear_linear_solver_h
+
+#include <lahar/linear/block_system.h>
+#include <lahar/utilities/parameters.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /**
+   * Solves the block system, at once or block by block.
+   *
+   * What belongs to the sparsity pattern is kept as long as the pattern stands.
+   */
+  template <int dim>
+  class LinearSolver
+  {
+  public:
+    using Vector = typename BlockSystem<dim>::Vector;
+
+    virtual ~LinearSolver() = default;
+
+    /**
+     * Solve the coupled system for the right-hand side of @p system.
+     *
+     * @param velocity_scale, pressure_scale the sizes (m/s, Pa) against which errors in the two parts are weighed.
+     * @return number of Krylov iterations, 1 for a direct solution.
+     * @throws RunError if it fails.
+     */
+    virtual unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
+                               const double pressure_scale, Vector &solution) = 0;
+
+    /// Solve with diagonal block @p b alone: (b, b) x_b = rhs_b. The other part of @p solution stays as it is.
+    virtual unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b,
+                                     Vector &solution) = 0;
+
+    static void declare_parameters(Parameters &prm);
+    static std::unique_ptr<LinearSolver> create(Parameters &prm);
+  };
+} // namespace Lahar
+
+#endif

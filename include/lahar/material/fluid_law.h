@@ -1,0 +1,82 @@
+#ifndef lahar_material_fluid_law_h
+#define lahar_material_fluid_law_h
+
+#include <lahar/utilities/parameters.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /**
+   * A generalised Newtonian fluid with a yield stress:
+   *
+   *   τ = 2 μ_eff(γ̇) d',   μ_eff(γ̇) = μ(γ̇) + τ0 f(γ̇),   γ̇ = sqrt(2 d':d'),
+   *
+   * d' the three-dimensional deviator of the rate of deformation (in plane strain it has an out-of-plane component).
+   * μ is the viscous part and τ0 f the plastic part; τ0 f γ̇ → τ0 for large γ̇. The two are kept apart because the
+   * primal–dual Newton scheme treats the plastic part in its own way (PlasticLinearization).
+   * In incompressible flow d' = d and γ̇ is Franci & Zhang's (2018, eq. 8) equivalent strain rate; taking the deviator
+   * keeps the tangent symmetric where the discrete flow is not exactly divergence free.
+   */
+  class FluidLaw
+  {
+  public:
+    /// A function of γ̇ and its derivative with respect to γ̇.
+    struct Value
+    {
+      double value      = 0.;
+      double derivative = 0.;
+    };
+
+    virtual ~FluidLaw() = default;
+
+    /// ρ, kg/m³.
+    double density() const
+    {
+      return rho;
+    }
+
+    /// 1/κ, 1/Pa; zero for an incompressible fluid.
+    double compressibility() const
+    {
+      return inverse_bulk_modulus;
+    }
+
+    /// τ0, Pa; zero for a fluid without yield stress.
+    virtual double yield_stress() const
+    {
+      return 0.;
+    }
+
+    /// Viscous part μ(γ̇), Pa s.
+    virtual Value viscous_part(const double strain_rate) const = 0;
+
+    /// f(γ̇), s: the plastic part of the viscosity per unit yield stress.
+    virtual Value plastic_part(const double strain_rate) const;
+
+    /// μ_eff(γ̇) and its derivative.
+    Value effective_viscosity(const double strain_rate) const;
+
+    /// Whether the stress intensity |τ| = μ_eff γ̇ exceeds the yield stress (always, where there is none).
+    bool is_yielded(const double strain_rate) const;
+
+    /// Declare the laws' entries in subsection "Fluid" of the handler's current section.
+    static void declare_parameters(Parameters &prm);
+
+    /// Create the law that subsection "Fluid" names. @throws InputError
+    static std::unique_ptr<FluidLaw> create(Parameters &prm);
+
+    /// Read the law's own subsection. A derived class calls this and reads its own entries.
+    virtual void parse_parameters(Parameters &prm);
+
+  protected:
+    /// Declare what all laws share: `Density` and `Bulk modulus`.
+    static void declare_common_parameters(Parameters &prm);
+
+  private:
+    double rho                  = 1000.;
+    double inverse_bulk_modulus = 0.;
+  };
+} // namespace Lahar
+
+#endif

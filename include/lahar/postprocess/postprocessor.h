@@ -1,0 +1,54 @@
+#ifndef lahar_postprocess_postprocessor_h
+#define lahar_postprocess_postprocessor_h
+
+#include <deal.II/base/table_handler.h>
+
+#include <lahar/boundary/walls.h>
+#include <lahar/material/fluid_law.h>
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/remeshing/fluid_mesh.h>
+
+#include <memory>
+#include <vector>
+
+namespace Lahar
+{
+  /// The state after a step, as postprocessors see it.
+  template <int dim>
+  struct Snapshot
+  {
+    const ParticleCloud<dim> &cloud;
+    const FluidMesh<dim> &mesh;
+    const FluidLaw &law;
+    const Tensor<1, dim> &gravity;
+    const std::vector<Tensor<1, dim>>
+      &wall_forces; ///< force of the walls on the fluid by vertex, N; empty at the start
+    double time = 0.;
+  };
+
+  /**
+   * Adds columns to the line that each step writes to the statistics.
+   *
+   * A model of this kind registers itself with Factory<Postprocessor<dim>>; its parameters stand in the subsection of its
+   * name in "Postprocess". Every model is there in every run; without entries it adds no columns.
+   */
+  template <int dim>
+  class Postprocessor
+  {
+  public:
+    virtual ~Postprocessor() = default;
+
+    virtual void parse_parameters(Parameters &prm) = 0;
+
+    /// Add this step's values to @p statistics, the same columns in every step.
+    virtual void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const = 0;
+
+    static void declare_all(Parameters &prm);
+    static std::vector<std::unique_ptr<Postprocessor>> create_all(Parameters &prm);
+  };
+
+  /// Add one number to a column that is printed with nine digits.
+  void add_to_column(TableHandler &statistics, const std::string &column, const double value);
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,54 @@
+#ifndef lahar_postprocess_progress_h
+#define lahar_postprocess_progress_h
+
+#include <deal.II/base/timer.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /**
+   * Tells people how the run goes: one line a step, into the file `log` and, if the standard output is a terminal, on the
+   * screen; what matters once goes to both in any case.
+   */
+  class Progress
+  {
+  public:
+    /// What the line of a step shows.
+    struct Line
+    {
+      unsigned int step = 0;
+      double time = 0., time_step = 0.;
+      unsigned int iterations   = 0;
+      double velocity_increment = 0., pressure_increment = 0.;
+      unsigned int cells  = 0;
+      double volume_error = 0.; ///< relative to the initial volume
+    };
+
+    /// @param directory where `log` is written. The times (s) serve the estimate of what is left.
+    Progress(const std::string &directory, const double start_time, const double end_time);
+
+    void step(const Line &line);
+
+    /// A message of its own line(s), on the screen and in the log.
+    void message(const std::string &text);
+
+    /// The table of wall times, and µs per cell and step of each phase.
+    void summary(const TimerOutput &timer, const double cell_steps);
+
+    /// Wall time since the start, s.
+    double wall_time() const;
+
+  private:
+    std::ofstream log;
+    bool on_terminal;
+    double start_time, end_time;
+    std::chrono::steady_clock::time_point start;
+  };
+} // namespace Lahar
+
+#endif

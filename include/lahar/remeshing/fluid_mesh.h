@@ -1,0 +1,126 @@
+#ifndef lahar_remeshing_fluid_mesh_h
+#define lahar_remeshing_fluid_mesh_h
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/mapping_fe.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/remeshing/delaunay.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  /// A face of the mesh with one cell.
+  struct BoundaryFace
+  {
+    unsigned int cell;
+    unsigned int opposite; ///< the cell's corner that the face does not have
+    bool free_surface;     ///< not all corners are wall or solid particles, or slide on one common slip facet
+  };
+
+  /**
+   * The fluid's mesh, made anew from the particles by each remeshing.
+   *
+   * Its vertices are the particles that have a cell, in the order of the cloud: vertex v is particle(v). The same mesh
+   * exists as index arrays, which the assembly runs over, and as a deal.II simplex Triangulation with a P1 DoFHandler
+   * whose degree of freedom i belongs to vertex i, for output and everything that deal.II does on it.
+   */
+  template <int dim>
+  class FluidMesh
+  {
+  public:
+    FluidMesh();
+
+    /**
+     * Make the mesh of the given cells (particle indices, positively oriented).
+     *
+     * If they are the cells that the mesh has already, only the vertices move.
+     * @return whether the connectivity changed.
+     */
+    bool reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> cells_of_particles);
+
+    /// Give the vertices of the deal.II triangulation the present positions of their particles.
+    void move(const ParticleCloud<dim> &cloud);
+
+    unsigned int n_vertices() const
+    {
+      return vertex_to_particle.size();
+    }
+
+    unsigned int n_cells() const
+    {
+      return vertex_cells.size();
+    }
+
+    /// The particle of a vertex.
+    unsigned int particle(const unsigned int vertex) const
+    {
+      return vertex_to_particle[vertex];
+    }
+
+    /// The particles of all vertices, ascending.
+    const std::vector<unsigned int> &particles() const
+    {
+      return vertex_to_particle;
+    }
+
+    /// The cells as vertex indices.
+    const std::vector<Simplex<dim>> &cells() const
+    {
+      return vertex_cells;
+    }
+
+    /// The cells as particle indices.
+    const std::vector<Simplex<dim>> &particle_cells() const
+    {
+      return cells_of_particles;
+    }
+
+    const std::vector<BoundaryFace> &boundary_faces() const
+    {
+      return faces;
+    }
+
+    /// By particle: whether it is a corner of a free-surface face.
+    std::vector<bool> on_free_surface(const unsigned int n_particles) const;
+
+    /// Volume (area in 2D) with the particles at their present positions.
+    double volume(const ParticleCloud<dim> &cloud) const;
+
+    const Triangulation<dim> &triangulation() const
+    {
+      return tria;
+    }
+
+    const DoFHandler<dim> &dof_handler() const
+    {
+      return dofs;
+    }
+
+    const Mapping<dim> &mapping() const
+    {
+      return map;
+    }
+
+  private:
+    void make_triangulation(const ParticleCloud<dim> &cloud);
+    void find_boundary_faces(const ParticleCloud<dim> &cloud);
+
+    FE_SimplexP<dim> fe;
+    MappingFE<dim> map;
+    Triangulation<dim> tria;
+    DoFHandler<dim> dofs;
+
+    std::vector<Simplex<dim>> cells_of_particles;
+    std::vector<Simplex<dim>> vertex_cells;
+    std::vector<unsigned int> vertex_to_particle;
+    std::vector<BoundaryFace> faces;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef lahar_remeshing_old_domain_h
+#define lahar_remeshing_old_domain_h
+
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/remeshing/fluid_mesh.h>
+
+#include <set>
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * The domain of the fluid before a remeshing: the cells of the last mesh where the flow has carried them.
+   *
+   * It keeps coordinates, so it outlives the removal of particles.
+   */
+  template <int dim>
+  class OldDomain
+  {
+  public:
+    OldDomain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh);
+
+    /**
+     * Follow a change of the particles.
+     *
+     * @param new_index for each old particle its new index or numbers::invalid_unsigned_int.
+     * @param parents of the inserted particles, by the new index of particle; the inserted ones stand at the end.
+     */
+    void renumber(const std::vector<unsigned int> &new_index,
+                  const std::vector<std::pair<unsigned int, unsigned int>> &parents,
+                  const unsigned int n_particles);
+
+    /// Whether the particle was a vertex of the last mesh.
+    bool was_wet(const unsigned int particle) const
+    {
+      return !cells_of[particle].empty();
+    }
+
+    /**
+     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its
+     * corners.
+     */
+    bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
+
+  private:
+    struct Cell
+    {
+      Tensor<2, dim> to_barycentric; ///< maps x − origin to the barycentric coordinates 1 … dim
+      Point<dim> origin;
+    };
+
+    std::vector<Cell> cells;
+    std::vector<std::vector<unsigned int>> cells_of; ///< by particle
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef lahar_remeshing_remesher_h
+#define lahar_remeshing_remesher_h
+
+#include <lahar/boundary/walls.h>
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/remeshing/alpha_shape.h>
+#include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/particle_spacing.h>
+#include <lahar/utilities/parameters.h>
+
+namespace Lahar
+{
+  /**
+   * Remeshing (PFEM): adapt the particles' spacing, triangulate them by Delaunay, keep what AlphaShape accepts.
+   */
+  template <int dim>
+  class Remesher
+  {
+  public:
+    static void declare_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
+
+    /// The first mesh of a cloud: all simplices that the plain alpha shape accepts.
+    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls, FluidMesh<dim> &mesh) const;
+
+    /**
+     * Replace @p mesh by a new one of the same particles, some of which are removed or inserted.
+     * @return whether the connectivity changed.
+     */
+    bool remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
+                FluidMesh<dim> &mesh) const;
+
+  private:
+    AlphaShape<dim> alpha_shape;
+    ParticleSpacing<dim> particle_spacing;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,114 @@
+#ifndef lahar_simulator_fluid_problem_h
+#define lahar_simulator_fluid_problem_h
+
+#include <deal.II/base/timer.h>
+
+#include <lahar/assembly/fluid_assembler.h>
+#include <lahar/linear/linear_solver.h>
+#include <lahar/simulator/time_integration.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /**
+   * The nonlinear problem of one time step: state, residual, linear system and update. The nonlinear schemes drive it.
+   */
+  template <int dim>
+  class FluidProblem
+  {
+  public:
+    using Linearization = typename FluidAssembler<dim>::Linearization;
+
+    FluidProblem(const MPI_Comm &communicator, TimerOutput &timer);
+
+    static void declare_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
+
+    /**
+     * Begin a step: take the state of the mesh's particles, guess the velocities v_n + Δt a_n and the pressures p_n.
+     * @param constraints by vertex; the particles' velocities and accelerations obey them already.
+     */
+    void start_step(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                    const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
+                    const Tensor<1, dim> &gravity, const TimeIntegration &time_integration);
+
+    /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
+    void assemble(const Linearization &linearization);
+
+    /// Solve the coupled system for the increments. @return linear iterations.
+    unsigned int solve();
+
+    /// Solve with diagonal block @p b (0: velocities, 1: pressures) alone. The other increments are zero.
+    unsigned int solve_block(const unsigned int b);
+
+    /**
+     * Add the increments to the state. If simplices would invert, the increments are halved until none does.
+     * @throws RunError with the place if that does not help.
+     */
+    void update(const Linearization &linearization);
+
+    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last update.
+    double velocity_increment() const
+    {
+      return relative_velocity_increment;
+    }
+
+    double pressure_increment() const
+    {
+      return relative_pressure_increment;
+    }
+
+    /// Norm of the assembled momentum residual at free unknowns, N.
+    double momentum_residual_norm() const
+    {
+      return system.right_hand_side().block(0).l2_norm();
+    }
+
+    /// Norm of the assembled residual of the mass equation, m³/s (m²/s in 2D).
+    double mass_residual_norm() const
+    {
+      return system.right_hand_side().block(1).l2_norm();
+    }
+
+    /// Write the accepted state back to the mesh's particles.
+    void accept(ParticleCloud<dim> &cloud) const;
+
+    /// Forces of the walls on the fluid at the vertices, N; meaningful at prescribed components.
+    const std::vector<Tensor<1, dim>> &reactions() const
+    {
+      return system.momentum_residual();
+    }
+
+    const FluidLaw &law() const
+    {
+      return *fluid_law;
+    }
+
+  private:
+    void move_state();
+    /// Index of a cell without positive volume, n_cells() if there is none.
+    unsigned int find_inverted_cell() const;
+    void set_norms(const double scale);
+
+    TimerOutput &timer;
+    FluidAssembler<dim> assembler;
+    BlockSystem<dim> system;
+    std::unique_ptr<LinearSolver<dim>> linear_solver;
+    typename BlockSystem<dim>::Vector solution;
+
+    const FluidMesh<dim> *mesh = nullptr;
+    const FluidLaw *fluid_law  = nullptr;
+    Tensor<1, dim> gravity;
+    TimeIntegration time_integration;
+    FluidState<dim> state;
+
+    std::vector<Simplex<dim>> numbered_cells;
+    std::vector<Tensor<1, dim>> velocity_change;
+    std::vector<double> pressure_change;
+    double velocity_norm = 0., pressure_norm = 0.;
+    double relative_velocity_increment = 0., relative_pressure_increment = 0.;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,80 @@
+#ifndef lahar_simulator_nonlinear_scheme_h
+#define lahar_simulator_nonlinear_scheme_h
+
+#include <lahar/simulator/fluid_problem.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /// What a nonlinear solution took.
+  struct NonlinearReport
+  {
+    unsigned int iterations        = 0;
+    unsigned int linear_iterations = 0;
+    double velocity_increment      = 0.; ///< ‖δv‖/‖v‖ of the last iteration
+    double pressure_increment      = 0.; ///< ‖δp‖/‖p‖ of the last iteration
+    double momentum_residual       = 0.; ///< norm of the last assembled residual, N
+    double mass_residual           = 0.; ///< norm of the last assembled residual, m^dim/s
+  };
+
+  /**
+   * Solves the nonlinear problem of a step until ‖δv‖/‖v‖ and ‖δp‖/‖p‖ are below the tolerance.
+   *
+   * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
+   *   the chosen ViscosityLinearization.
+   * - SegregatedScheme (Franci & Zhang 2018): K δv = −R_v, update of velocities and geometry, then H δp = −R_p.
+   */
+  template <int dim>
+  class NonlinearScheme
+  {
+  public:
+    virtual ~NonlinearScheme() = default;
+
+    static void declare_parameters(Parameters &prm);
+    static std::unique_ptr<NonlinearScheme> create(Parameters &prm);
+
+    /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
+    NonlinearReport solve(FluidProblem<dim> &problem) const;
+
+  protected:
+    using Linearization = typename FluidProblem<dim>::Linearization;
+
+    /// One iteration: assemble, solve, update. Enters in the report what it took.
+    virtual void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const = 0;
+
+    /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
+    ViscosityLinearization viscosity_linearization(const FluidProblem<dim> &problem) const;
+
+  private:
+    ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
+    double tolerance                 = 1e-4;
+    unsigned int maximum_iterations  = 30;
+  };
+
+  /// See NonlinearScheme.
+  template <int dim>
+  class CoupledScheme : public NonlinearScheme<dim>
+  {
+  protected:
+    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const override;
+  };
+
+  /// See NonlinearScheme.
+  template <int dim>
+  class SegregatedScheme : public NonlinearScheme<dim>
+  {
+  public:
+    explicit SegregatedScheme(const double pseudo_bulk_ratio)
+      : pseudo_bulk_ratio(pseudo_bulk_ratio)
+    {}
+
+  protected:
+    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const override;
+
+  private:
+    double pseudo_bulk_ratio;
+  };
+} // namespace Lahar
+
+#endif

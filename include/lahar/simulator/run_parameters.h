@@ -1,0 +1,28 @@
+#ifndef lahar_simulator_run_parameters_h
+#define lahar_simulator_run_parameters_h
+
+#include <lahar/utilities/parameters.h>
+
+#include <string>
+
+namespace Lahar
+{
+  /// The entries at the top level of every .prm file.
+  struct RunParameters
+  {
+    unsigned int dimension = 2;
+    std::string output_directory;
+    double start_time        = 0.; ///< s
+    double end_time          = 0.; ///< s
+    double time_step         = 0.; ///< s
+    double minimum_time_step = 0.; ///< s
+    double mesh_size         = 0.; ///< m
+    double output_interval   = 0.; ///< s; zero: every step
+
+    static void declare_parameters(Parameters &prm);
+    /// @throws InputError
+    void parse_parameters(Parameters &prm);
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,107 @@
+#ifndef lahar_simulator_simulator_h
+#define lahar_simulator_simulator_h
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/table_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/walls.h>
+#include <lahar/geometry/initial_geometry.h>
+#include <lahar/material/fluid_law.h>
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/postprocess/progress.h>
+#include <lahar/postprocess/visualization.h>
+#include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/remesher.h>
+#include <lahar/simulator/fluid_problem.h>
+#include <lahar/simulator/nonlinear_scheme.h>
+#include <lahar/simulator/run_parameters.h>
+#include <lahar/simulator/time_integration.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /**
+   * Computes a case: creates the particles, makes time steps until the end time, writes the results.
+   *
+   * step() is one time step from beginning to end.
+   */
+  template <int dim>
+  class Simulator
+  {
+  public:
+    static void declare_parameters(Parameters &prm);
+
+    /// Read all parameters. @throws InputError for anything that cannot be computed.
+    Simulator(Parameters &prm, const MPI_Comm &communicator);
+
+    /// Create particles, walls and first mesh. @throws InputError
+    void initialize();
+
+    /// What initialize() made, in a few lines.
+    std::string sizes() const;
+
+    /// Compute to the end time. @throws RunError
+    void run();
+
+    const ParticleCloud<dim> &cloud() const
+    {
+      return particles;
+    }
+
+    const FluidMesh<dim> &mesh() const
+    {
+      return fluid_mesh;
+    }
+
+  private:
+    /**
+     * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where they
+     * were and is repeated with half the length; @p time_step returns the length that was made.
+     */
+    void step(double &time_step);
+
+    std::vector<NodeConstraint<dim>> constraints() const;
+    void set_initial_velocities();
+    void add_statistics(const double time_step, const NonlinearReport &report);
+    void write_statistics();
+    Snapshot<dim> snapshot() const;
+
+    MPI_Comm communicator;
+    Parameters &prm;
+    RunParameters parameters;
+
+    std::unique_ptr<FluidLaw> law;
+    Tensor<1, dim> gravity;
+    InitialGeometry geometry;
+    std::string initial_velocity;
+    TimeIntegration time_integration;
+    Remesher<dim> remesher;
+    std::unique_ptr<NonlinearScheme<dim>> scheme;
+
+    ParticleCloud<dim> particles;
+    Walls<dim> walls;
+    SlipCondition<dim> slip_condition;
+    FluidMesh<dim> fluid_mesh;
+
+    TimerOutput timer;
+    FluidProblem<dim> problem;
+
+    double time              = 0.;
+    unsigned int step_number = 0, n_rejected = 0;
+    double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.;
+    bool remeshed = false;
+
+    std::vector<Tensor<1, dim>> wall_forces;
+    std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
+    TableHandler statistics;
+    std::unique_ptr<Visualization<dim>> visualization;
+    std::unique_ptr<Progress> progress;
+    double next_output_time = 0.;
+  };
+} // namespace Lahar
+
+#endif

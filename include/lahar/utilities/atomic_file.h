@@ -1,0 +1,17 @@
+#ifndef lahar_utilities_atomic_file_h
+#define lahar_utilities_atomic_file_h
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace Lahar
+{
+  /**
+   * Write a file so that it never exists in part: @p write fills a temporary file beside it, which then takes its name.
+   * @throws RunError with the file's name if that fails.
+   */
+  void write_atomically(const std::string &file_name, const std::function<void(std::ostream &)> &write);
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,92 @@
+#ifndef lahar_utilities_factory_h
+#define lahar_utilities_factory_h
+
+#include <lahar/utilities/parameters.h>
+
+
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /**
+   * The models of one kind, by name.
+   *
+   * A model registers itself at the end of its .cc file with a static object of type Registration:
+   * @code
+   *   static const Factory<FluidLaw>::Registration<Bingham> bingham("Bingham");
+   * @endcode
+   * @p Base needs `void parse_parameters(Parameters &)`, every model a static
+   * `void declare_parameters(Parameters &)`. Each model's entries stand in a subsection of the model's name.
+   */
+  template <typename Base>
+  class Factory
+  {
+  public:
+    template <typename Model>
+    struct Registration
+    {
+      explicit Registration(const std::string &name)
+      {
+        models()[name] = {[]() { return std::make_unique<Model>(); }, &Model::declare_parameters};
+      }
+    };
+
+    /// The names of all models, separated by '|' as Patterns::Selection wants them.
+    static std::string names()
+    {
+      std::string list;
+      for (const auto &[name, model] : models())
+        list += (list.empty() ? "" : "|") + name;
+      return list;
+    }
+
+    static bool contains(const std::string &name)
+    {
+      return models().count(name) > 0;
+    }
+
+    /// Declare one subsection per model in the handler's current section.
+    static void declare_parameters(Parameters &prm)
+    {
+      for (const auto &[name, model] : models())
+      {
+        prm.enter_subsection(name);
+        model.declare(prm);
+        prm.leave_subsection();
+      }
+    }
+
+    /// Create the model @p name, which the factory must contain, and let it read its subsection of the handler's current section.
+    static std::unique_ptr<Base> create(const std::string &name, Parameters &prm)
+    {
+      const auto entry = models().find(name);
+      Assert(entry != models().end(), ExcMessage("There is no model '" + name + "'."));
+      std::unique_ptr<Base> model = entry->second.create();
+      prm.enter_subsection(name);
+      model->parse_parameters(prm);
+      prm.leave_subsection();
+      return model;
+    }
+
+  private:
+    struct Entry
+    {
+      std::function<std::unique_ptr<Base>()> create;
+      std::function<void(Parameters &)> declare;
+    };
+
+    static std::map<std::string, Entry> &models()
+    {
+      static std::map<std::string, Entry> registered;
+      return registered;
+    }
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef lahar_utilities_parameters_h
+#define lahar_utilities_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <lahar/utilities/exceptions.h>
+
+#include <string>
+#include <vector>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /**
+   * A ParameterHandler that knows where it is, so that an error can name a parameter by its full path.
+   */
+  class Parameters : public ParameterHandler
+  {
+  public:
+    void enter_subsection(const std::string &name);
+    void leave_subsection();
+
+    /// Full path of @p entry in the current section, as in "Fluid/Bingham/Density".
+    std::string path(const std::string &entry) const;
+
+    /// Throw InputError with the entry's full path, the value found and what is @p allowed.
+    [[noreturn]] void throw_wrong_value(const std::string &entry, const std::string &allowed) const;
+
+    /// A finite number above zero (or, with @p allow_zero, not below); InputError otherwise.
+    double get_positive(const std::string &entry, const bool allow_zero = false) const;
+
+    /// A finite number in [@p lower, @p upper]; InputError otherwise.
+    double get_in_range(const std::string &entry, const double lower, const double upper) const;
+
+    /// The @p dim components of a vector "x, y[, z]"; InputError if their number differs.
+    template <int dim>
+    Tensor<1, dim> get_vector(const std::string &entry) const;
+
+  private:
+    std::vector<std::string> sections;
+  };
+
+  /// Split @p text at @p separator; pieces lose their surrounding white space, an empty text has no pieces.
+  std::vector<std::string> split_list(const std::string &text, const char separator);
+
+  /// @p text as a finite number; throws std::invalid_argument where it is none or something follows it.
+  double to_number(const std::string &text);
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,186 @@
+#include <lahar/assembly/fluid_assembler.h>
+#include <lahar/remeshing/simplex_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lahar
+{
+  template <int dim>
+  void FluidAssembler<dim>::declare_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Stabilization");
+    prm.declare_entry(
+      "Form", "residual", Patterns::Anything(),
+      "Stabilisation of the mass equation: 'FIC' (Franci & Zhang 2018, with boundary terms on the free "
+      "surface), 'FIC interior' (the same without them) or 'residual' (the full momentum residual in "
+      "the gradient term; conserves volume).");
+    prm.declare_entry(
+      "Viscosity limit", "0.1", Patterns::Double(),
+      "Largest viscosity in Pa s that enters the stabilisation parameter, zero or above. The effective "
+      "viscosity of a plug would switch the stabilisation off.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::parse_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Stabilization");
+    const std::string form = prm.get("Form");
+    if (form == "FIC")
+      stabilization = Stabilization::fic;
+    else if (form == "FIC interior")
+      stabilization = Stabilization::fic_interior;
+    else if (form == "residual")
+      stabilization = Stabilization::residual;
+    else
+      prm.throw_wrong_value("Form", "FIC|FIC interior|residual");
+    viscosity_limit = prm.get_positive("Viscosity limit", true);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::gather(const Simplex<dim> &vertices, const FluidState<dim> &state,
+                                   FluidCell<dim> &cell) const
+  {
+    for (unsigned int I = 0; I <= dim; ++I)
+    {
+      cell.velocity[I]          = state.velocity[vertices[I]];
+      cell.acceleration[I]      = state.acceleration[vertices[I]];
+      cell.pressure[I]          = state.pressure[vertices[I]];
+      cell.old_pressure[I]      = state.old_pressure[vertices[I]];
+      cell.old_pressure_rate[I] = state.old_pressure_rate[vertices[I]];
+    }
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                              FluidState<dim> &state) const
+  {
+    FluidCell<dim> cell;
+    state.stabilization.resize(mesh.n_cells());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      gather(mesh.cells()[c], state, cell);
+      cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
+      const double edge      = (dim == 2 ? std::sqrt(4. / std::sqrt(3.) * cell.volume)
+                                         : std::cbrt(6. * std::sqrt(2.) * cell.volume));
+      const double mu        = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
+      state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.factors.time_step);
+    }
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                               FluidState<dim> &state) const
+  {
+    FluidCell<dim> cell;
+    state.plastic_dual.resize(mesh.n_cells());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      gather(mesh.cells()[c], state, cell);
+      cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), false);
+      state.plastic_dual[c] = 2. * law.plastic_part(cell.strain_rate).value * cell.deviator;
+    }
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::update_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                                const std::vector<Tensor<1, dim>> &increment,
+                                                FluidState<dim> &state) const
+  {
+    FluidCell<dim> cell;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      const Simplex<dim> &vertices = mesh.cells()[c];
+      gather(vertices, state, cell);
+      cell.reinit(corners_of<dim>(vertices, state.position), false);
+
+      Tensor<2, dim> delta_L;
+      for (unsigned int I = 0; I <= dim; ++I)
+        delta_L += outer_product(increment[vertices[I]], cell.gradients[I]);
+      const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) -
+                                              trace(delta_L) / 3. * unit_symmetric_tensor<dim>();
+
+      // 1/ψ = f and ψ'/ψ = −f'/f.
+      const FluidLaw::Value f         = law.plastic_part(cell.strain_rate);
+      SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
+      const double norm               = std::sqrt(0.5 * (Lambda * Lambda));
+      const double delta_rate         = 2. * (cell.deviator * delta_d) /
+                                std::max(cell.strain_rate, std::numeric_limits<double>::min());
+      Lambda = 2. * f.value * (cell.deviator + delta_d) +
+               f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
+    }
+  }
+
+
+
+  template <int dim>
+  bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                     const Tensor<1, dim> &gravity, const FluidState<dim> &state,
+                                     const Linearization &linearization, BlockSystem<dim> &system) const
+  {
+    const Inertia<dim> inertia;
+    const BodyForce<dim> body_force;
+    const ViscousStress<dim> viscous_stress(linearization.viscosity);
+    const PressureDivergence<dim> pressure_divergence;
+    const FICInterior<dim> fic_interior;
+    const FICFreeSurface<dim> fic_free_surface;
+    const ResidualStabilization<dim> residual_stabilization;
+    const PseudoBulkStiffness<dim> pseudo_bulk_stiffness(linearization.pseudo_bulk_ratio);
+
+    FluidCell<dim> cell;
+    CellSystem<dim> cell_system;
+    cell.law     = &law;
+    cell.gravity = gravity;
+    cell.factors = state.factors;
+
+    system.set_zero();
+    auto face = mesh.boundary_faces().begin();
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      gather(mesh.cells()[c], state, cell);
+      cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), linearization.motion);
+      if (!(cell.volume > 0.))
+        return false;
+      cell.stabilization = state.stabilization[c];
+      if (linearization.viscosity == ViscosityLinearization::primal_dual)
+        cell.plastic_dual = state.plastic_dual[c];
+
+      cell_system.clear();
+      inertia.assemble(cell, cell_system);
+      body_force.assemble(cell, cell_system);
+      viscous_stress.assemble(cell, cell_system);
+      pressure_divergence.assemble(cell, cell_system);
+      if (stabilization == Stabilization::residual)
+        residual_stabilization.assemble(cell, cell_system);
+      else
+        fic_interior.assemble(cell, cell_system);
+      if (linearization.pseudo_bulk_ratio > 0.)
+        pseudo_bulk_stiffness.assemble(cell, cell_system);
+
+      // Boundary faces come in the order of their cells.
+      for (; face != mesh.boundary_faces().end() && face->cell == c; ++face)
+        if (face->free_surface && stabilization == Stabilization::fic)
+          fic_free_surface.assemble(cell, face->opposite, cell_system);
+
+      system.add(c, cell_system.matrix, cell_system.residual);
+    }
+    return true;
+  }
+
+
+
+  template class FluidAssembler<2>;
+  template class FluidAssembler<3>;
+} // namespace Lahar

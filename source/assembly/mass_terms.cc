@@ -1,0 +1,188 @@
+#include <lahar/assembly/terms.h>
+
+namespace Lahar
+{
+  template <int dim>
+  void PressureDivergence<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  {
+    using S              = CellSystem<dim>;
+    constexpr unsigned n = dim + 1;
+    const auto &G        = cell.gradients;
+    const double V       = cell.volume;
+    const double p       = cell.mean_pressure();
+    const double div     = trace(cell.velocity_gradient);
+    const double s_V     = cell.motion * V;
+
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      system.residual[S::pressure_index(I)] -= V / n * div;
+      for (unsigned int a = 0; a < dim; ++a)
+        system.residual[S::index(I, a)] += V * p * G[I][a];
+
+      for (unsigned int J = 0; J < n; ++J)
+        for (unsigned int b = 0; b < dim; ++b)
+        {
+          system.matrix[S::index(I, b)][S::pressure_index(J)] += V / n * G[I][b];
+          system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * (cell.w[b] * G[J]) +
+                                                                 s_V / n * G[J][b] * div;
+          for (unsigned int a = 0; a < dim; ++a)
+            system.matrix[S::index(I, a)][S::index(J, b)] += s_V * p *
+                                                             (G[J][b] * G[I][a] - G[J][a] * G[I][b]);
+        }
+    }
+
+    const double compressibility = cell.law->compressibility() / cell.factors.time_step;
+    if (compressibility > 0.)
+      for (unsigned int I = 0; I < n; ++I)
+      {
+        double rate = 0.;
+        for (unsigned int J = 0; J < n; ++J)
+        {
+          rate += compressibility * cell.mass(I, J) * (cell.pressure[J] - cell.old_pressure[J]);
+          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += compressibility * V * cell.mass(I, J);
+        }
+        system.residual[S::pressure_index(I)] += V * rate;
+        for (unsigned int J = 0; J < n; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += s_V * G[J][b] * rate;
+      }
+  }
+
+
+
+  namespace
+  {
+    /// R_I += ∫ τ_s ∇N_I·q with q = ∇p + ρ g − ρ ā, the last one with @p density zero where it is left out.
+    template <int dim>
+    void assemble_gradient_term(const FluidCell<dim> &cell, const double inertia_density,
+                                CellSystem<dim> &system)
+    {
+      using S                     = CellSystem<dim>;
+      constexpr unsigned n        = dim + 1;
+      const auto &G               = cell.gradients;
+      const double tau_V          = cell.stabilization * cell.volume;
+      const Tensor<1, dim> grad_p = cell.pressure_gradient();
+      const Tensor<1, dim> q      = grad_p + cell.law->density() * cell.gravity -
+                               inertia_density * cell.mean_acceleration();
+      const double mass_factor = inertia_density * cell.factors.acceleration_factor / n;
+
+      for (unsigned int I = 0; I < n; ++I)
+      {
+        const double G_q = G[I] * q;
+        system.residual[S::pressure_index(I)] += tau_V * G_q;
+        for (unsigned int J = 0; J < n; ++J)
+        {
+          const double GG = G[I] * G[J], GJ_q = G[J] * q;
+          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += tau_V * GG;
+          for (unsigned int b = 0; b < dim; ++b)
+            system.matrix[S::pressure_index(I)][S::index(J, b)] +=
+              tau_V *
+              (-mass_factor * G[I][b] + cell.motion * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
+        }
+      }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void FICInterior<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  {
+    using S = CellSystem<dim>;
+    assemble_gradient_term(cell, 0., system);
+
+    const double dt = cell.factors.time_step;
+    const double c  = cell.stabilization * cell.law->density() * cell.law->compressibility() / (dt * dt);
+    if (c > 0.)
+      for (unsigned int I = 0; I <= dim; ++I)
+      {
+        double rate = 0.;
+        for (unsigned int J = 0; J <= dim; ++J)
+        {
+          rate += c * cell.mass(I, J) *
+                  (cell.pressure[J] - cell.old_pressure[J] - cell.old_pressure_rate[J] * dt);
+          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += c * cell.volume * cell.mass(I, J);
+        }
+        system.residual[S::pressure_index(I)] += cell.volume * rate;
+        for (unsigned int J = 0; J <= dim; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * cell.volume *
+                                                                   cell.gradients[J][b] * rate;
+      }
+  }
+
+
+
+  template <int dim>
+  void FICFreeSurface<dim>::assemble(const FluidCell<dim> &cell, const unsigned int k,
+                                     CellSystem<dim> &system) const
+  {
+    // n = −G_k/|G_k|, 1/h_n = |G_k| and the face's area is dim V |G_k|, so that everything is polynomial in G and V.
+    using S                   = CellSystem<dim>;
+    constexpr unsigned n      = dim + 1;
+    const auto &G             = cell.gradients;
+    const Tensor<1, dim> Gk   = G[k];
+    const double Gk_square    = Gk.norm_square();
+    const double rho          = cell.law->density();
+    const double viscosity    = cell.law->effective_viscosity(cell.strain_rate).value;
+    const double tau_V        = cell.stabilization * cell.volume;
+    const Tensor<1, dim> d_Gk = cell.deviator * Gk;
+    const double Gk_d_Gk      = Gk * d_Gk;
+    const double c_p          = 2. * dim * tau_V;
+    const double c_a          = rho * dim * tau_V;
+    const double c_d          = 4. * viscosity * tau_V;
+
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      if (I == k)
+        continue;
+      double p = 0.;
+      Tensor<1, dim> a;
+      for (unsigned int J = 0; J < n; ++J)
+        if (J != k)
+        {
+          p += cell.face_mass(I, J) * cell.pressure[J];
+          a += cell.face_mass(I, J) * cell.acceleration[J];
+        }
+      const double residual = c_p * Gk_square * p + c_a * (a * Gk) + c_d * Gk_d_Gk;
+      system.residual[S::pressure_index(I)] += residual;
+
+      for (unsigned int J = 0; J < n; ++J)
+      {
+        if (J != k)
+          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += c_p * Gk_square * cell.face_mass(I, J);
+        const double Gk_GJ = Gk * G[J];
+        for (unsigned int b = 0; b < dim; ++b)
+        {
+          // δ(d'): sym(w_b ⊗ G_J) less a third of its trace; δG_k = −s G_kb G_J.
+          const double deviatoric = (cell.w[b] * Gk) * Gk_GJ - (cell.w[b] * G[J]) * Gk_square / 3.;
+          double entry            = c_d * deviatoric;
+          if (J != k)
+            entry += c_a * cell.face_mass(I, J) * cell.factors.acceleration_factor * Gk[b];
+          entry += cell.motion * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
+                                                                2. * c_d * (d_Gk * G[J])));
+          system.matrix[S::pressure_index(I)][S::index(J, b)] += entry;
+        }
+      }
+    }
+  }
+
+
+
+  template <int dim>
+  void ResidualStabilization<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  {
+    assemble_gradient_term(cell, cell.law->density(), system);
+  }
+
+
+
+  template struct PressureDivergence<2>;
+  template struct PressureDivergence<3>;
+  template struct FICInterior<2>;
+  template struct FICInterior<3>;
+  template struct FICFreeSurface<2>;
+  template struct FICFreeSurface<3>;
+  template struct ResidualStabilization<2>;
+  template struct ResidualStabilization<3>;
+} // namespace Lahar

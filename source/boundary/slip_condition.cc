@@ -1,0 +1,151 @@
+#include <lahar/boundary/slip_condition.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// A particle nearer to a slip wall than this times its spacing is in contact.
+    constexpr double contact_distance = 0.1;
+
+    /// Two normals span two directions if the sine of their angle exceeds this.
+    constexpr double parallel_tolerance = 1e-3;
+  } // namespace
+
+
+
+  template <int dim>
+  void SlipCondition<dim>::attach(const unsigned int particle, const unsigned int facet,
+                                  ParticleCloud<dim> &cloud) const
+  {
+    auto &slots = cloud.slip_facets[particle];
+    if (std::find(slots.begin(), slots.end(), static_cast<int>(facet)) != slots.end())
+      return;
+    const auto free_slot = std::find(slots.begin(), slots.end(), ParticleCloud<dim>::no_facet);
+    if (free_slot == slots.end())
+      return;
+    *free_slot = facet;
+
+    // Move the particle along the directions that its other facets leave free.
+    const NodeConstraint<dim> fixed = constraint(particle, cloud);
+    Tensor<1, dim> direction        = walls.normal(facet);
+    for (unsigned int a = 0; a < fixed.n_fixed; ++a)
+    {
+      const Tensor<1, dim> &normal = fixed.frame[a];
+      cloud.velocity[particle] -= (cloud.velocity[particle] * normal) * normal;
+      cloud.acceleration[particle] -= (cloud.acceleration[particle] * normal) * normal;
+    }
+    for (const int other : slots)
+      if (other != ParticleCloud<dim>::no_facet && other != static_cast<int>(facet))
+        direction -= (direction * walls.normal(other)) * walls.normal(other);
+    const double slope = direction * walls.normal(facet);
+    if (slope > parallel_tolerance * parallel_tolerance)
+      cloud.position[particle] -= walls.signed_distance(facet, cloud.position[particle]) / slope * direction;
+  }
+
+
+
+  template <int dim>
+  void SlipCondition<dim>::initialize(ParticleCloud<dim> &cloud) const
+  {
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.kind[i] == ParticleKind::fluid)
+        for (const unsigned int facet : walls.near(cloud.position[i], 1e-3 * cloud.spacing[i]))
+          if (walls.facets()[facet].slip &&
+              std::abs(walls.signed_distance(facet, cloud.position[i])) < 1e-3 * cloud.spacing[i] &&
+              walls.is_above(facet, cloud.position[i], 1e-3 * cloud.spacing[i]))
+            attach(i, facet, cloud);
+  }
+
+
+
+  template <int dim>
+  void SlipCondition<dim>::update(const std::vector<Point<dim>> &old_position,
+                                  ParticleCloud<dim> &cloud) const
+  {
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
+      if (cloud.kind[i] != ParticleKind::fluid)
+        continue;
+      const double h = cloud.spacing[i];
+
+      auto &slots = cloud.slip_facets[i];
+      for (int &facet : slots)
+        if (facet != ParticleCloud<dim>::no_facet && !walls.is_above(facet, cloud.position[i], 1e-3 * h))
+          facet = ParticleCloud<dim>::no_facet;
+      std::sort(slots.begin(), slots.end(), std::greater<int>());
+
+      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
+        if (walls.facets()[facet].slip)
+          attach(i, facet, cloud);
+      for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
+        if (walls.facets()[facet].slip &&
+            std::abs(walls.signed_distance(facet, cloud.position[i])) < contact_distance * h &&
+            walls.is_above(facet, cloud.position[i], 0.))
+          attach(i, facet, cloud);
+    }
+  }
+
+
+
+  template <int dim>
+  void SlipCondition<dim>::release(const unsigned int particle, ParticleCloud<dim> &cloud)
+  {
+    cloud.slip_facets[particle].fill(ParticleCloud<dim>::no_facet);
+  }
+
+
+
+  template <int dim>
+  NodeConstraint<dim> SlipCondition<dim>::constraint(const unsigned int particle,
+                                                     const ParticleCloud<dim> &cloud) const
+  {
+    NodeConstraint<dim> result;
+    if (cloud.kind[particle] != ParticleKind::fluid)
+    {
+      result.n_fixed = dim;
+      return result;
+    }
+    if (!cloud.on_slip_wall(particle))
+      return result;
+
+    // Gram–Schmidt: the normals first, then coordinate directions to complete the frame.
+    unsigned int n_rows = 0;
+    const auto add      = [&](Tensor<1, dim> direction, const double tolerance) {
+      for (unsigned int a = 0; a < n_rows; ++a)
+        direction -= (direction * result.frame[a]) * result.frame[a];
+      if (n_rows < dim && direction.norm() > tolerance)
+        result.frame[n_rows++] = direction / direction.norm();
+    };
+    for (const int facet : cloud.slip_facets[particle])
+      if (facet != ParticleCloud<dim>::no_facet)
+        add(walls.normal(facet), parallel_tolerance);
+    result.n_fixed = n_rows;
+    while (n_rows < dim)
+    {
+      // The coordinate direction that the rows so far leave most of.
+      Tensor<1, dim> best;
+      double best_norm = -1.;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        Tensor<1, dim> rest;
+        rest[d] = 1.;
+        for (unsigned int a = 0; a < n_rows; ++a)
+          rest -= (rest * result.frame[a]) * result.frame[a];
+        if (rest.norm() > best_norm)
+        {
+          best_norm = rest.norm();
+          best      = rest;
+        }
+      }
+      add(best, 0.);
+    }
+    return result;
+  }
+
+
+
+  template class SlipCondition<2>;
+  template class SlipCondition<3>;
+} // namespace Lahar

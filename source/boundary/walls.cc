@@ -1,0 +1,110 @@
+#include <lahar/boundary/walls.h>
+
+namespace Lahar
+{
+  namespace
+  {
+    Tensor<1, 2> facet_normal(const std::array<Point<2>, 2> &corners)
+    {
+      return cross_product_2d(corners[1] - corners[0]);
+    }
+
+    Tensor<1, 3> facet_normal(const std::array<Point<3>, 3> &corners)
+    {
+      return cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Walls<dim>::Walls(const std::vector<WallFacet<dim>> &facets)
+    : all_facets(facets)
+  {
+    std::vector<Box> boxes;
+    for (unsigned int f = 0; f < facets.size(); ++f)
+    {
+      const Tensor<1, dim> normal = facet_normal(facets[f].corners);
+      normals.push_back(normal / normal.norm());
+      boxes.emplace_back(BoundingBox<dim>(facets[f].corners), f);
+    }
+    tree = pack_rtree(boxes);
+  }
+
+
+
+  template <int dim>
+  double Walls<dim>::signed_distance(const unsigned int facet, const Point<dim> &point) const
+  {
+    return normals[facet] * (point - all_facets[facet].corners[0]);
+  }
+
+
+
+  template <int dim>
+  bool Walls<dim>::is_above(const unsigned int facet, const Point<dim> &point, const double tolerance) const
+  {
+    // The foot lies inside if it is on the inner side of every rim: of the two ends in 2D, of the three edges in 3D.
+    const auto &corners = all_facets[facet].corners;
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      const Tensor<1, dim> along = corners[(c + 1) % dim] - corners[c];
+      Tensor<1, dim> inward;
+      if constexpr (dim == 2)
+        inward = along;
+      else
+        inward = cross_product_3d(normals[facet], along);
+      if (inward / inward.norm() * (point - corners[c]) < -tolerance)
+        return false;
+    }
+    return true;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> Walls<dim>::near(const Point<dim> &point, const double distance) const
+  {
+    Point<dim> lower = point, upper = point;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower[d] -= distance;
+      upper[d] += distance;
+    }
+    std::vector<unsigned int> found;
+    for (const auto &entry : tree | boost::geometry::index::adaptors::queried(
+                                      boost::geometry::index::intersects(BoundingBox<dim>({lower, upper}))))
+      found.push_back(entry.second);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> Walls<dim>::crossed(const Point<dim> &a, const Point<dim> &b,
+                                                const double tolerance) const
+  {
+    const BoundingBox<dim> box(std::array<Point<dim>, 2>{{a, b}});
+    std::vector<unsigned int> found;
+    for (const auto &entry :
+         tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(box)))
+    {
+      const unsigned int facet = entry.second;
+      const double distance_a  = signed_distance(facet, a);
+      const double distance_b  = signed_distance(facet, b);
+      if (std::min(distance_a, distance_b) > -tolerance || std::max(distance_a, distance_b) < tolerance)
+        continue;
+      const Point<dim> hit = a + distance_a / (distance_a - distance_b) * (b - a);
+      if (is_above(facet, hit, -tolerance))
+        found.push_back(facet);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+
+
+  template class Walls<2>;
+  template class Walls<3>;
+} // namespace Lahar

@@ -1,0 +1,157 @@
+#include <lahar/geometry/polygon.h>
+#include <lahar/remeshing/delaunay.h>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace Lahar
+{
+  namespace
+  {
+    namespace bg = boost::geometry;
+
+    using BoostPoint   = bg::model::d2::point_xy<double>;
+    using BoostPolygon = bg::model::polygon<BoostPoint, false, false>; // counterclockwise, open
+
+    BoostPoint to_boost(const Point<2> &p)
+    {
+      return {p[0], p[1]};
+    }
+
+    BoostPolygon to_boost(const Polygon &polygon)
+    {
+      BoostPolygon result;
+      for (const Point<2> &p : polygon)
+        bg::append(result, to_boost(p));
+      return result;
+    }
+
+    /// Points of a lattice of equilateral triangles inside the polygon, away from its contour.
+    std::vector<Point<2>> lattice_inside(const Polygon &polygon, const double h)
+    {
+      double lower[2], upper[2];
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        lower[d] = upper[d] = polygon[0][d];
+        for (const Point<2> &p : polygon)
+        {
+          lower[d] = std::min(lower[d], p[d]);
+          upper[d] = std::max(upper[d], p[d]);
+        }
+      }
+
+      const double row_height = std::sqrt(0.75) * h;
+      std::vector<Point<2>> points;
+      for (unsigned int row = 1; lower[1] + row * row_height < upper[1]; ++row)
+        for (double x = lower[0] + (row % 2 ? 0.5 : 1.) * h; x < upper[0]; x += h)
+        {
+          const Point<2> p(x, lower[1] + row * row_height);
+          if (is_inside(polygon, p) && distance_to_contour(polygon, p) > 0.55 * h)
+            points.push_back(p);
+        }
+      return points;
+    }
+
+    /// Move every point but the first @p n_fixed to the mean of its Delaunay neighbours, a few times.
+    void smooth(std::vector<Point<2>> &points, const unsigned int n_fixed)
+    {
+      for (unsigned int sweep = 0; sweep < 10; ++sweep)
+      {
+        std::vector<Tensor<1, 2>> sum(points.size());
+        std::vector<unsigned int> n_neighbours(points.size(), 0);
+        for (const Simplex<2> &cell : delaunay(points))
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int other = 1; other < 3; ++other)
+            {
+              sum[cell[c]] += Tensor<1, 2>(points[cell[(c + other) % 3]]);
+              ++n_neighbours[cell[c]];
+            }
+        for (unsigned int i = n_fixed; i < points.size(); ++i)
+          points[i] = Point<2>(sum[i] / n_neighbours[i]);
+      }
+    }
+  } // namespace
+
+
+
+  double signed_area(const Polygon &polygon)
+  {
+    return bg::area(to_boost(polygon));
+  }
+
+
+
+  bool is_inside(const Polygon &polygon, const Point<2> &point)
+  {
+    bool inside = false;
+    for (unsigned int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+      if ((polygon[i][1] > point[1]) != (polygon[j][1] > point[1]) &&
+          point[0] <
+            (polygon[j][0] - polygon[i][0]) * (point[1] - polygon[i][1]) / (polygon[j][1] - polygon[i][1]) +
+              polygon[i][0])
+        inside = !inside;
+    return inside;
+  }
+
+
+
+  double distance_to_segment(const Point<2> &point, const Point<2> &a, const Point<2> &b)
+  {
+    return bg::distance(to_boost(point), bg::model::segment<BoostPoint>(to_boost(a), to_boost(b)));
+  }
+
+
+
+  double distance_to_contour(const Polygon &polygon, const Point<2> &point)
+  {
+    double distance = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < polygon.size(); ++i)
+      distance = std::min(distance,
+                          distance_to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
+    return distance;
+  }
+
+
+
+  bool is_self_intersecting(const Polygon &polygon)
+  {
+    return bg::intersects(to_boost(polygon));
+  }
+
+
+
+  std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const double h,
+                                        const bool closed)
+  {
+    std::vector<Point<2>> points;
+    const unsigned int n_pieces = closed ? corners.size() : corners.size() - 1;
+    for (unsigned int i = 0; i < n_pieces; ++i)
+    {
+      const Point<2> &a    = corners[i];
+      const Point<2> &b    = corners[(i + 1) % corners.size()];
+      const unsigned int n = std::max(1., std::round(a.distance(b) / h));
+      for (unsigned int k = 0; k < n; ++k)
+        points.push_back(a + double(k) / n * (b - a));
+    }
+    if (!closed)
+      points.push_back(corners.back());
+    return points;
+  }
+
+
+
+  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h)
+  {
+    std::vector<Point<2>> points = sample_polyline(polygon, h, true);
+    const unsigned int n_contour = points.size();
+    for (const Point<2> &p : lattice_inside(polygon, h))
+      points.push_back(p);
+    smooth(points, n_contour);
+    return points;
+  }
+} // namespace Lahar

@@ -1,0 +1,295 @@
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <Amesos.h>
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+
+#include <lahar/linear/direct_solver.h>
+
+namespace Lahar
+{
+  template <int dim>
+  void DirectSolver<dim>::declare_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Direct");
+    prm.declare_entry("Package", "MUMPS", Patterns::Anything(), "Package that factorises: MUMPS or KLU.");
+    prm.declare_entry(
+      "Tolerance", "1e-3", Patterns::Double(),
+      "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
+      "0 every system is factorised.");
+    prm.declare_entry("Maximum iterations", "12", Patterns::Integer(),
+                      "Factorise anew when an earlier factorisation needs more GMRES iterations, 1 to 100.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::parse_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Direct");
+    if (prm.get("Package") != "MUMPS" && prm.get("Package") != "KLU")
+      prm.throw_wrong_value("Package", "MUMPS|KLU");
+    package        = prm.get("Package") == "KLU" ? "Amesos_Klu" : "Amesos_Mumps";
+    tolerance      = prm.get_in_range("Tolerance", 0., 0.1);
+    max_iterations = static_cast<unsigned int>(prm.get_in_range("Maximum iterations", 1, 100));
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::Factorization::analyse(std::unique_ptr<Epetra_CrsMatrix> new_matrix,
+                                                 const std::string &package, const unsigned int new_pattern)
+  {
+    solver.reset();
+    matrix          = std::move(new_matrix);
+    solution        = std::make_unique<Epetra_MultiVector>(matrix->RowMap(), 1);
+    right_hand_side = std::make_unique<Epetra_MultiVector>(matrix->RowMap(), 1);
+    problem.SetOperator(matrix.get());
+    problem.SetLHS(solution.get());
+    problem.SetRHS(right_hand_side.get());
+
+    solver.reset(Amesos().Create(package, problem));
+    AssertThrow(solver, ExcMessage("Trilinos was built without " + package + "."));
+    Teuchos::ParameterList list;
+    list.set("PrintStatus", false);
+    list.set("PrintTiming", false);
+    list.set("OutputLevel", 0);
+    list.sublist("mumps").set("ICNTL(14)", 60); // working space in reserve, per cent
+    solver->SetParameters(list);
+    if (solver->SymbolicFactorization() != 0)
+      throw RunError("The symbolic factorisation (" + package + ") failed.");
+    pattern = new_pattern;
+  }
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::Factorization::factorize()
+  {
+    if (solver->NumericFactorization() != 0)
+      throw RunError("The factorisation of the linear system failed: the matrix is singular.");
+  }
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::Factorization::apply()
+  {
+    if (solver->Solve() != 0)
+      throw RunError("The solution with the factorised linear system failed.");
+  }
+
+
+
+  namespace
+  {
+    /// The block system as one matrix, the unknowns of a node side by side. Only the pattern and room for the values.
+    template <int dim>
+    std::unique_ptr<Epetra_CrsMatrix> make_interleaved(const BlockSystem<dim> &system)
+    {
+      constexpr unsigned int n_components = dim + 1;
+      const NodalGraph &graph             = system.graph();
+      const unsigned int n_nodes          = system.n_nodes();
+      const Epetra_Comm &communicator     = system.matrix().block(0, 0).trilinos_matrix().Comm();
+      const Epetra_Map rows(static_cast<int>(n_nodes * n_components), 0, communicator);
+
+      std::vector<int> row_lengths(n_nodes * n_components);
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int a = 0; a < n_components; ++a)
+          row_lengths[i * n_components + a] = (graph.row_start[i + 1] - graph.row_start[i]) * n_components;
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, rows, rows, row_lengths.data(), true);
+
+      std::vector<int> indices;
+      std::vector<double> zeros;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+      {
+        indices.clear();
+        for (unsigned int k = graph.row_start[i]; k < graph.row_start[i + 1]; ++k)
+          for (unsigned int b = 0; b < n_components; ++b)
+            indices.push_back(graph.columns[k] * n_components + b);
+        zeros.assign(indices.size(), 0.);
+        for (unsigned int a = 0; a < n_components; ++a)
+          matrix->InsertMyValues(i * n_components + a, indices.size(), zeros.data(), indices.data());
+      }
+      matrix->FillComplete();
+      matrix->OptimizeStorage();
+      return matrix;
+    }
+
+    template <int dim>
+    void copy_values(const BlockSystem<dim> &system, Epetra_CrsMatrix &matrix)
+    {
+      int *row_start, *columns;
+      double *values;
+      matrix.ExtractCrsDataPointers(row_start, columns, values);
+
+      const double *K = system.values(0, 0), *Q = system.values(0, 1), *C = system.values(1, 0),
+                   *H = system.values(1, 1);
+      for (unsigned int i = 0; i < system.n_nodes(); ++i)
+      {
+        const unsigned int degree = system.graph().row_start[i + 1] - system.graph().row_start[i];
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int k = 0; k < degree; ++k)
+          {
+            for (unsigned int b = 0; b < dim; ++b)
+              *values++ = *K++;
+            *values++ = *Q++;
+          }
+        for (unsigned int k = 0; k < degree; ++k)
+        {
+          for (unsigned int b = 0; b < dim; ++b)
+            *values++ = *C++;
+          *values++ = *H++;
+        }
+      }
+    }
+
+    /// D⁻¹ P⁻¹ A D with the factorisation P⁻¹ and the scales D: what GMRES sees.
+    template <typename Vector>
+    struct PreconditionedOperator
+    {
+      std::function<void(Vector &, const Vector &)> apply;
+
+      void vmult(Vector &y, const Vector &x) const
+      {
+        apply(y, x);
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::factorize_whole(const BlockSystem<dim> &system)
+  {
+    if (whole.pattern != system.pattern_number())
+    {
+      auto matrix = make_interleaved(system);
+      copy_values(system, *matrix);
+      whole.analyse(std::move(matrix), package, system.pattern_number());
+    }
+    else
+      copy_values(system, *whole.matrix);
+    whole.factorize();
+  }
+
+
+
+  template <int dim>
+  void DirectSolver<dim>::apply_whole(const Vector &right_hand_side, Vector &solution)
+  {
+    constexpr unsigned int n_components = dim + 1;
+    const unsigned int n_nodes          = right_hand_side.block(1).size();
+    const double *v = right_hand_side.block(0).begin(), *p = right_hand_side.block(1).begin();
+    double *interleaved = (*whole.right_hand_side)[0];
+    for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        interleaved[n_components * i + a] = v[dim * i + a];
+      interleaved[n_components * i + dim] = p[i];
+    }
+    whole.apply();
+
+    interleaved   = (*whole.solution)[0];
+    double *v_out = solution.block(0).begin(), *p_out = solution.block(1).begin();
+    for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        v_out[dim * i + a] = interleaved[n_components * i + a];
+      p_out[i] = interleaved[n_components * i + dim];
+    }
+  }
+
+
+
+  template <int dim>
+  unsigned int DirectSolver<dim>::solve(const BlockSystem<dim> &system, const double velocity_scale,
+                                        const double pressure_scale, Vector &solution)
+  {
+    if (tolerance > 0. && whole.pattern == system.pattern_number())
+    {
+      const unsigned int n_iterations = solve_by_gmres(system, velocity_scale, pressure_scale, solution);
+      if (n_iterations <= max_iterations)
+        return n_iterations;
+    }
+    factorize_whole(system);
+    apply_whole(system.right_hand_side(), solution);
+    return 1;
+  }
+
+
+
+  template <int dim>
+  unsigned int DirectSolver<dim>::solve_by_gmres(const BlockSystem<dim> &system, const double velocity_scale,
+                                                 const double pressure_scale, Vector &solution)
+  {
+    const auto scale = [&](Vector &vector, const double power) {
+      vector.block(0) *= std::pow(velocity_scale, power);
+      vector.block(1) *= std::pow(pressure_scale, power);
+    };
+
+    Vector scaled(solution), product(solution);
+    const PreconditionedOperator<Vector> matrix{[&](Vector &y, const Vector &x) {
+      scaled = x;
+      scale(scaled, 1.);
+      system.matrix().vmult(product, scaled);
+      apply_whole(product, y);
+      scale(y, -1.);
+    }};
+
+    Vector right_hand_side(solution);
+    apply_whole(system.right_hand_side(), right_hand_side);
+    scale(right_hand_side, -1.);
+
+    const double norm = right_hand_side.l2_norm();
+    SolverControl control(max_iterations, tolerance * norm, false, false);
+    SolverGMRES<Vector> gmres(control, typename SolverGMRES<Vector>::AdditionalData(max_iterations + 2));
+    solution = 0.;
+    try
+    {
+      if (norm > 0.)
+        gmres.solve(matrix, solution, right_hand_side, PreconditionIdentity());
+    }
+    catch (const SolverControl::NoConvergence &)
+    {
+      return max_iterations + 1;
+    }
+    scale(solution, 1.);
+    return control.last_step();
+  }
+
+
+
+  template <int dim>
+  unsigned int DirectSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
+                                              Vector &solution)
+  {
+    const Epetra_CrsMatrix &matrix = system.matrix().block(b, b).trilinos_matrix();
+    Factorization &factorization   = blocks[b];
+    if (factorization.pattern != system.pattern_number())
+      factorization.analyse(std::make_unique<Epetra_CrsMatrix>(matrix), package, system.pattern_number());
+    else
+    {
+      int *row_start, *columns;
+      double *values;
+      factorization.matrix->ExtractCrsDataPointers(row_start, columns, values);
+      std::copy(system.values(b, b), system.values(b, b) + matrix.NumMyNonzeros(), values);
+    }
+    factorization.factorize();
+
+    const auto &rhs = system.right_hand_side().block(b);
+    std::copy(rhs.begin(), rhs.end(), (*factorization.right_hand_side)[0]);
+    factorization.apply();
+    std::copy((*factorization.solution)[0], (*factorization.solution)[0] + rhs.size(),
+              solution.block(b).begin());
+    return 1;
+  }
+
+
+
+  template class DirectSolver<2>;
+  template class DirectSolver<3>;
+} // namespace Lahar

@@ -1,0 +1,244 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <lahar/simulator/simulator.h>
+#include <lahar/utilities/atomic_file.h>
+#include <lahar/version.h>
+
+#include <boost/program_options.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+  using namespace Lahar;
+
+  struct CommandLine
+  {
+    std::string file_name;
+    std::vector<std::string> overrides;
+    std::string print_format;
+    bool check = false;
+  };
+
+  constexpr const char *usage =
+    "Usage: lahar [options] case.prm\n\nFree-surface Bingham flows by the Particle Finite Element Method.\n";
+
+  /// Read the command line. @return whether there is a case to compute.
+  bool parse(const int argc, char **argv, CommandLine &line)
+  {
+    namespace po = boost::program_options;
+    po::options_description visible("Options"), all;
+    visible.add_options()("set", po::value(&line.overrides)->composing(),
+                          "override one entry: --set \"Section/Subsection/Entry=value\" (repeatable)")(
+      "check", po::bool_switch(&line.check), "read, validate, build the initial mesh, report sizes, stop")(
+      "print-parameters", po::value(&line.print_format),
+      "print every entry with default and documentation: prm, json or latex")("help", "print this text")(
+      "version", "print the version");
+    all.add(visible).add_options()("case", po::value<std::vector<std::string>>());
+    po::positional_options_description positional;
+    positional.add("case", -1);
+
+    po::variables_map values;
+    try
+    {
+      po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+      po::notify(values);
+    }
+    catch (const po::error &error)
+    {
+      throw InputError(std::string("Command line: ") + error.what() + ". See lahar --help.");
+    }
+
+    if (values.count("help"))
+      std::cout << usage << "\n"
+                << visible << "\nExit status: 0 success, 1 the run failed, 2 the input is wrong.\n";
+    if (values.count("version"))
+      std::cout << "lahar " << LAHAR_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ")\n";
+    if (values.count("help") || values.count("version"))
+      return false;
+    if (values.count("print-parameters"))
+    {
+      if (line.print_format != "prm" && line.print_format != "json" && line.print_format != "latex")
+        throw InputError("Option --print-parameters is '" + line.print_format +
+                         "'. Allowed: prm, json, latex.");
+      return true;
+    }
+    const auto files = values.count("case") ? values["case"].as<std::vector<std::string>>()
+                                            : std::vector<std::string>();
+    if (files.size() != 1)
+      throw InputError("Command line: " + std::to_string(files.size()) +
+                       " parameter files, one is needed. See lahar --help.");
+    line.file_name = files[0];
+    return true;
+  }
+
+
+
+  /// Set the entry "Section/Subsection/Entry" to a value.
+  void override_entry(Parameters &prm, const std::string &text)
+  {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError("Option --set is '" + text + "'. Allowed: \"Section/Subsection/Entry=value\".");
+    const std::string path            = Utilities::trim(text.substr(0, equals)),
+                      value           = Utilities::trim(text.substr(equals + 1));
+    std::vector<std::string> sections = split_list(path, '/');
+    if (sections.empty())
+      throw InputError("Option --set is '" + text + "'. Allowed: \"Section/Subsection/Entry=value\".");
+    const std::string entry = sections.back();
+    sections.pop_back();
+
+    std::ostringstream input;
+    for (const std::string &section : sections)
+      input << "subsection " << section << "\n";
+    input << "set " << entry << " = " << value << "\n";
+    for (unsigned int i = 0; i < sections.size(); ++i)
+      input << "end\n";
+    try
+    {
+      prm.parse_input_from_string(input.str());
+    }
+    catch (const ParameterHandler::ExcEntryUndeclared &)
+    {
+      throw InputError("Option --set: there is no entry '" + path + "'. See lahar --print-parameters prm.");
+    }
+    catch (const ParameterHandler::ExcNoSubsection &)
+    {
+      throw InputError("Option --set: there is no entry '" + path + "'. See lahar --print-parameters prm.");
+    }
+    catch (const ExceptionBase &)
+    {
+      throw InputError("Option --set: '" + value + "' is no value for the entry '" + path +
+                       "'. See lahar --print-parameters prm.");
+    }
+  }
+
+
+
+  void print_parameters(const Parameters &prm, const std::string &format, std::ostream &out)
+  {
+    prm.print_parameters(out, format == "json"    ? ParameterHandler::JSON
+                              : format == "latex" ? ParameterHandler::LaTeX
+                                                  : ParameterHandler::PRM);
+  }
+
+
+
+  /// The text of deal.II's exception without its frame.
+  std::string short_message(const ExceptionBase &error)
+  {
+    std::ostringstream text;
+    error.print_info(text);
+    return Utilities::trim(text.str());
+  }
+
+
+
+  void read(const std::string &file_name, Parameters &prm)
+  {
+    std::ifstream file(file_name);
+    if (!file || std::filesystem::is_directory(file_name))
+      throw InputError("Cannot read the parameter file '" + file_name + "'.");
+    try
+    {
+      prm.parse_input(file, file_name);
+    }
+    catch (const ExceptionBase &error)
+    {
+      throw InputError("Parameter file: " + short_message(error));
+    }
+  }
+
+
+
+  /// Create the output directory and leave the complete parameters in it.
+  void prepare_output(const Parameters &prm, const std::string &directory)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    try
+    {
+      if (error)
+        throw RunError(error.message());
+      write_atomically(directory + "/parameters.prm",
+                       [&](std::ostream &file) { print_parameters(prm, "prm", file); });
+    }
+    catch (const RunError &reason)
+    {
+      throw InputError("Parameter 'Output directory' is '" + directory +
+                       "'. Allowed: a directory that can be created and written to (" + reason.what() + ").");
+    }
+  }
+
+
+
+  template <int dim>
+  void run(Parameters &prm, const bool check_only)
+  {
+    Simulator<dim> simulator(prm, MPI_COMM_WORLD);
+    simulator.initialize();
+    if (check_only)
+    {
+      std::cout << simulator.sizes() << std::endl;
+      return;
+    }
+    prepare_output(prm, prm.get("Output directory"));
+    simulator.run();
+  }
+
+
+
+  int lahar_main(const int argc, char **argv)
+  {
+    CommandLine line;
+    if (!parse(argc, argv, line))
+      return 0;
+
+    Parameters prm;
+    Simulator<2>::declare_parameters(prm);
+    if (!line.print_format.empty())
+    {
+      print_parameters(prm, line.print_format, std::cout);
+      return 0;
+    }
+    read(line.file_name, prm);
+    for (const std::string &text : line.overrides)
+      override_entry(prm, text);
+
+    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      throw InputError("This version runs on one process; found " +
+                       std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) + ".");
+    run<2>(prm, line.check);
+    return 0;
+  }
+} // namespace
+
+
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+  {
+    return lahar_main(argc, argv);
+  }
+  catch (const Lahar::InputError &error)
+  {
+    std::cerr << "lahar: wrong input. " << error.what() << std::endl;
+    return 2;
+  }
+  catch (const Lahar::RunError &error)
+  {
+    std::cerr << "lahar: the run failed. " << error.what() << std::endl;
+    return 1;
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "lahar: the run failed. " << error.what() << std::endl;
+    return 1;
+  }
+}

@@ -1,0 +1,85 @@
+#include <lahar/material/fluid_law.h>
+#include <lahar/utilities/factory.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Lahar
+{
+  FluidLaw::Value FluidLaw::plastic_part(const double /*strain_rate*/) const
+  {
+    return {};
+  }
+
+
+
+  FluidLaw::Value FluidLaw::effective_viscosity(const double strain_rate) const
+  {
+    const Value viscous = viscous_part(strain_rate);
+    const Value plastic = plastic_part(strain_rate);
+    const double tau_0  = yield_stress();
+    return {viscous.value + tau_0 * plastic.value, viscous.derivative + tau_0 * plastic.derivative};
+  }
+
+
+
+  bool FluidLaw::is_yielded(const double strain_rate) const
+  {
+    return yield_stress() == 0. || effective_viscosity(strain_rate).value * strain_rate > yield_stress();
+  }
+
+
+
+  void FluidLaw::declare_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Fluid");
+    prm.declare_entry("Law", "Bingham", Patterns::Anything(),
+                      "Constitutive law of the fluid: " + Factory<FluidLaw>::names() +
+                        ". Its parameters stand in the subsection of its name.");
+    Factory<FluidLaw>::declare_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  std::unique_ptr<FluidLaw> FluidLaw::create(Parameters &prm)
+  {
+    prm.enter_subsection("Fluid");
+    if (!Factory<FluidLaw>::contains(prm.get("Law")))
+      prm.throw_wrong_value("Law", Factory<FluidLaw>::names());
+    std::unique_ptr<FluidLaw> law = Factory<FluidLaw>::create(prm.get("Law"), prm);
+    prm.leave_subsection();
+    return law;
+  }
+
+
+
+  void FluidLaw::declare_common_parameters(Parameters &prm)
+  {
+    prm.declare_entry("Density", "1000", Patterns::Double(), "Density ρ in kg/m³, above zero.");
+    prm.declare_entry("Bulk modulus", "infinite", Patterns::Anything(),
+                      "Bulk modulus κ in Pa, above zero, or 'infinite' for an incompressible fluid.");
+  }
+
+
+
+  void FluidLaw::parse_parameters(Parameters &prm)
+  {
+    rho = prm.get_positive("Density");
+
+    inverse_bulk_modulus = 0.;
+    if (prm.get("Bulk modulus") != "infinite")
+    {
+      double bulk_modulus = 0.;
+      try
+      {
+        bulk_modulus = to_number(prm.get("Bulk modulus"));
+      }
+      catch (const std::invalid_argument &)
+      {}
+      if (!(bulk_modulus > 0.))
+        prm.throw_wrong_value("Bulk modulus", "a number above zero or 'infinite'");
+      inverse_bulk_modulus = 1. / bulk_modulus;
+    }
+  }
+} // namespace Lahar

@@ -1,0 +1,31 @@
+#include <lahar/material/newtonian.h>
+#include <lahar/utilities/factory.h>
+
+namespace Lahar
+{
+  void Newtonian::declare_parameters(Parameters &prm)
+  {
+    declare_common_parameters(prm);
+    prm.declare_entry("Viscosity", "0.001", Patterns::Double(),
+                      "Dynamic viscosity μ in Pa s, zero or above.");
+  }
+
+
+
+  void Newtonian::parse_parameters(Parameters &prm)
+  {
+    FluidLaw::parse_parameters(prm);
+    mu = prm.get_positive("Viscosity", true);
+  }
+
+
+
+  FluidLaw::Value Newtonian::viscous_part(const double /*strain_rate*/) const
+  {
+    return {mu, 0.};
+  }
+
+
+
+  static const Factory<FluidLaw>::Registration<Newtonian> newtonian("Newtonian");
+} // namespace Lahar

@@ -1,0 +1,50 @@
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/utilities/factory.h>
+
+namespace Lahar
+{
+  /**
+   * Kinetic energy ∫ ρ |v|²/2 and potential energy −∫ ρ g·x of the fluid in the mesh, J (J/m in 2D).
+   */
+  template <int dim>
+  class Energies : public Postprocessor<dim>
+  {
+  public:
+    static void declare_parameters(Parameters &) {}
+
+    void parse_parameters(Parameters &) override {}
+
+    void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
+  };
+
+
+
+  template <int dim>
+  void Energies<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
+  {
+    double kinetic = 0., potential = 0.;
+    for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
+    {
+      const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
+      const double mass  = snapshot.law.density() * signed_volume<dim>(corners);
+      // ∫ N_I N_J = V (1 + δ_IJ)/((dim+1)(dim+2)), so ∫ |v|² = V (|Σ v_I|² + Σ |v_I|²)/((dim+1)(dim+2)).
+      Tensor<1, dim> sum;
+      double sum_of_squares = 0.;
+      for (const unsigned int particle : cell)
+      {
+        sum += snapshot.cloud.velocity[particle];
+        sum_of_squares += snapshot.cloud.velocity[particle].norm_square();
+      }
+      kinetic += 0.5 * mass * (sum.norm_square() + sum_of_squares) / ((dim + 1) * (dim + 2));
+      potential -= mass * (snapshot.gravity * centroid<dim>(corners));
+    }
+    add_to_column(statistics, "Kinetic energy (J)", kinetic);
+    add_to_column(statistics, "Potential energy (J)", potential);
+  }
+
+
+
+  static const Factory<Postprocessor<2>>::Registration<Energies<2>> energies_2d("Energies");
+  static const Factory<Postprocessor<3>>::Registration<Energies<3>> energies_3d("Energies");
+} // namespace Lahar

@@ -1,0 +1,117 @@
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/utilities/factory.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace Lahar
+{
+  /**
+   * Pressure and velocity at points fixed in space, interpolated in the cell that holds the point; nan where there is no
+   * fluid.
+   */
+  template <int dim>
+  class PointGauges : public Postprocessor<dim>
+  {
+  public:
+    static void declare_parameters(Parameters &prm)
+    {
+      prm.declare_entry("Points", "", Patterns::Anything(),
+                        "Points in m, 'name: x, y' separated by ';'. Columns '<name> pressure (Pa)' and "
+                        "'<name> velocity x (m/s)' ...");
+    }
+
+    void parse_parameters(Parameters &prm) override;
+    void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
+
+  private:
+    std::vector<std::pair<std::string, Point<dim>>> points;
+  };
+
+
+
+  template <int dim>
+  void PointGauges<dim>::parse_parameters(Parameters &prm)
+  {
+    const std::string allowed = "'name: " + std::string(dim == 2 ? "x, y" : "x, y, z") + "' separated by ';'";
+    for (const std::string &text : split_list(prm.get("Points"), ';'))
+    {
+      const auto name_and_point = split_list(text, ':');
+      const auto numbers = name_and_point.size() == 2 ? split_list(name_and_point[1], ',') : name_and_point;
+      if (name_and_point.size() != 2 || name_and_point[0].empty() || numbers.size() != dim)
+        prm.throw_wrong_value("Points", allowed);
+      Point<dim> point;
+      try
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          point[d] = to_number(numbers[d]);
+      }
+      catch (const std::invalid_argument &)
+      {
+        prm.throw_wrong_value("Points", allowed);
+      }
+      points.emplace_back(name_and_point[0], point);
+    }
+  }
+
+
+
+  template <int dim>
+  void PointGauges<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
+  {
+    for (const auto &[name, point] : points)
+    {
+      double pressure = std::numeric_limits<double>::quiet_NaN();
+      Tensor<1, dim> velocity;
+      for (unsigned int d = 0; d < dim; ++d)
+        velocity[d] = pressure;
+
+      for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
+      {
+        const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
+        bool near          = true;
+        for (unsigned int d = 0; d < dim && near; ++d)
+        {
+          bool below = false, above = false;
+          for (const Point<dim> &corner : corners)
+            (corner[d] <= point[d] ? below : above) = true;
+          for (const Point<dim> &corner : corners)
+            above = above || corner[d] == point[d];
+          near = below && above;
+        }
+        if (!near || !(signed_volume<dim>(corners) > 0.))
+          continue;
+
+        const auto gradients = shape_gradients<dim>(corners);
+        std::array<double, dim + 1> shape_values;
+        bool inside = true;
+        for (unsigned int c = 0; c <= dim; ++c)
+        {
+          shape_values[c] = (c == 0 ? 1. : 0.) + gradients[c] * (point - corners[0]);
+          inside          = inside && shape_values[c] >= -1e-10;
+        }
+        if (inside)
+        {
+          pressure = 0.;
+          velocity = Tensor<1, dim>();
+          for (unsigned int c = 0; c <= dim; ++c)
+          {
+            pressure += shape_values[c] * snapshot.cloud.pressure[cell[c]];
+            velocity += shape_values[c] * snapshot.cloud.velocity[cell[c]];
+          }
+          break;
+        }
+      }
+
+      add_to_column(statistics, name + " pressure (Pa)", pressure);
+      for (unsigned int d = 0; d < dim; ++d)
+        add_to_column(statistics, name + " velocity " + "xyz"[d] + " (m/s)", velocity[d]);
+    }
+  }
+
+
+
+  static const Factory<Postprocessor<2>>::Registration<PointGauges<2>> point_gauges_2d("Point gauges");
+  static const Factory<Postprocessor<3>>::Registration<PointGauges<3>> point_gauges_3d("Point gauges");
+} // namespace Lahar

@@ -1,0 +1,86 @@
+#include <lahar/postprocess/progress.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace Lahar
+{
+  namespace
+  {
+    std::string duration(const double seconds)
+    {
+      char text[32];
+      const long s = static_cast<long>(seconds + 0.5);
+      std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+      return text;
+    }
+  } // namespace
+
+
+
+  Progress::Progress(const std::string &directory, const double start_time, const double end_time)
+    : log(directory + "/log")
+    , on_terminal(isatty(STDOUT_FILENO))
+    , start_time(start_time)
+    , end_time(end_time)
+    , start(std::chrono::steady_clock::now())
+  {}
+
+
+
+  double Progress::wall_time() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+
+
+  void Progress::step(const Line &line)
+  {
+    const double done = (line.time - start_time) / (end_time - start_time);
+    const double left = wall_time() * (1. - done) / done;
+
+    std::ostringstream text;
+    text << "step " << std::setw(6) << line.step << "  t = " << std::setw(10) << std::setprecision(6)
+         << line.time << " s  dt = " << std::setprecision(3) << line.time_step << " s  iterations "
+         << std::setw(2) << line.iterations << "  dv " << std::scientific << std::setprecision(1)
+         << line.velocity_increment << "  dp " << line.pressure_increment << std::defaultfloat << "  cells "
+         << line.cells << "  volume " << std::showpos << std::fixed << std::setprecision(3)
+         << 100. * line.volume_error << " %" << std::noshowpos << "  left " << duration(left);
+    log << text.str() << std::endl;
+    if (on_terminal)
+      std::cout << text.str() << std::endl;
+  }
+
+
+
+  void Progress::message(const std::string &text)
+  {
+    log << text << std::endl;
+    std::cout << text << std::endl;
+  }
+
+
+
+  void Progress::summary(const TimerOutput &timer, const double cell_steps)
+  {
+    std::ostringstream table;
+    table << "\nTimes by phase\n";
+    double all = 0.;
+    for (const auto &[phase, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
+    {
+      table << "  " << std::left << std::setw(20) << phase << std::right << std::fixed << std::setprecision(2)
+            << std::setw(10) << seconds << " s" << std::setw(10) << std::setprecision(3)
+            << 1e6 * seconds / cell_steps << " us per cell and step\n";
+      all += seconds;
+    }
+    table << "  " << std::left << std::setw(20) << "All" << std::right << std::fixed << std::setprecision(2)
+          << std::setw(10) << all << " s" << std::setw(10) << std::setprecision(3) << 1e6 * all / cell_steps
+          << " us per cell and step";
+    message(table.str());
+  }
+} // namespace Lahar

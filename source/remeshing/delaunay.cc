@@ -1,0 +1,91 @@
+#include <lahar/remeshing/delaunay.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <utility>
+
+namespace Lahar
+{
+  namespace
+  {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+    template <int dim>
+    struct CGALTypes;
+
+    template <>
+    struct CGALTypes<2>
+    {
+      using Vertex = CGAL::Triangulation_vertex_base_with_info_2<unsigned int, Kernel>;
+      using Triangulation =
+        CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+
+      static auto finite_cells(const Triangulation &triangulation)
+      {
+        return triangulation.finite_face_handles();
+      }
+
+      static Kernel::Point_2 point(const Point<2> &p)
+      {
+        return {p[0], p[1]};
+      }
+    };
+
+    template <>
+    struct CGALTypes<3>
+    {
+      using Vertex = CGAL::Triangulation_vertex_base_with_info_3<unsigned int, Kernel>;
+      using Cell   = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+      using Triangulation =
+        CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+
+      static auto finite_cells(const Triangulation &triangulation)
+      {
+        return triangulation.finite_cell_handles();
+      }
+
+      static Kernel::Point_3 point(const Point<3> &p)
+      {
+        return {p[0], p[1], p[2]};
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points)
+  {
+    using Types = CGALTypes<dim>;
+
+    std::vector<std::pair<typename Types::Triangulation::Point, unsigned int>> numbered;
+    numbered.reserve(points.size());
+    for (unsigned int i = 0; i < points.size(); ++i)
+      numbered.emplace_back(Types::point(points[i]), i);
+
+    // Range insertion sorts the points along a space-filling curve first.
+    typename Types::Triangulation triangulation;
+    triangulation.insert(numbered.begin(), numbered.end());
+
+    std::vector<Simplex<dim>> cells;
+    if (triangulation.dimension() < dim)
+      return cells;
+    for (const auto &cell : Types::finite_cells(triangulation))
+    {
+      Simplex<dim> corners;
+      for (unsigned int c = 0; c <= dim; ++c)
+        corners[c] = cell->vertex(c)->info();
+      cells.push_back(corners);
+    }
+    return cells;
+  }
+
+
+
+  template std::vector<Simplex<2>> delaunay(const std::vector<Point<2>> &);
+  template std::vector<Simplex<3>> delaunay(const std::vector<Point<3>> &);
+} // namespace Lahar

@@ -1,0 +1,238 @@
+#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/simulator/fluid_problem.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Lahar
+{
+  template <int dim>
+  FluidProblem<dim>::FluidProblem(const MPI_Comm &communicator, TimerOutput &timer)
+    : timer(timer)
+    , system(communicator)
+  {}
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::declare_parameters(Parameters &prm)
+  {
+    FluidAssembler<dim>::declare_parameters(prm);
+    LinearSolver<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::parse_parameters(Parameters &prm)
+  {
+    assembler.parse_parameters(prm);
+    linear_solver = LinearSolver<dim>::create(prm);
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
+                                     const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
+                                     const Tensor<1, dim> &new_gravity, const TimeIntegration &integration)
+  {
+    mesh             = &new_mesh;
+    fluid_law        = &law;
+    gravity          = new_gravity;
+    time_integration = integration;
+
+    if (mesh->cells() != numbered_cells)
+    {
+      TimerOutput::Scope scope(timer, "Set up system");
+      numbered_cells = mesh->cells();
+      system.reinit(mesh->n_vertices(), numbered_cells);
+      solution = system.make_vector();
+    }
+    system.set_constraints(constraints);
+
+    const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
+      of_vertices.resize(mesh->n_vertices());
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        of_vertices[v] = of_cloud[mesh->particle(v)];
+    };
+    gather(cloud.position, state.old_position);
+    gather(cloud.velocity, state.old_velocity);
+    gather(cloud.acceleration, state.old_acceleration);
+    gather(cloud.pressure, state.old_pressure);
+    gather(cloud.pressure_rate, state.old_pressure_rate);
+    state.factors      = time_integration.factors();
+    state.pressure     = state.old_pressure;
+    state.velocity     = state.old_velocity;
+    state.position     = state.old_position;
+    state.acceleration = state.old_acceleration;
+    velocity_change.assign(mesh->n_vertices(), Tensor<1, dim>());
+    pressure_change.assign(mesh->n_vertices(), 0.);
+
+    assembler.set_stabilization(*mesh, law, state);
+    if (law.yield_stress() > 0.)
+      assembler.start_plastic_dual(*mesh, law, state);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      state.velocity[v] += (getenv("GUESS") ? atof(getenv("GUESS")) : 1.) * state.factors.time_step *
+                           state.old_acceleration[v];
+    move_state();
+    if (find_inverted_cell() < mesh->n_cells())
+    {
+      state.velocity = state.old_velocity;
+      move_state();
+    }
+    set_norms(0.);
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::move_state()
+  {
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      state.acceleration[v] = time_integration.acceleration(state.velocity[v], state.old_velocity[v],
+                                                            state.old_acceleration[v]);
+      state.position[v]     = state.old_position[v] +
+                          time_integration.displacement(state.velocity[v], state.old_velocity[v]);
+    }
+  }
+
+
+
+  template <int dim>
+  unsigned int FluidProblem<dim>::find_inverted_cell() const
+  {
+    unsigned int c = 0;
+    while (c < mesh->n_cells() && signed_volume<dim>(corners_of<dim>(mesh->cells()[c], state.position)) > 0.)
+      ++c;
+    return c;
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::set_norms(const double scale)
+  {
+    double v = 0., p = 0., dv = 0., dp = 0.;
+    for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
+    {
+      v += state.velocity[i].norm_square();
+      p += state.pressure[i] * state.pressure[i];
+      dv += velocity_change[i].norm_square();
+      dp += pressure_change[i] * pressure_change[i];
+    }
+    // At rest there is nothing to compare with but what gravity does in a step.
+    const double n_vertices = mesh->n_vertices();
+    const double v_floor = 1e-8 * gravity.norm() * state.factors.time_step * std::sqrt(n_vertices) + 1e-300;
+    const double p_floor = v_floor * fluid_law->density() * (1. + std::sqrt(v / n_vertices));
+    velocity_norm        = std::max(std::sqrt(v), v_floor);
+    pressure_norm        = std::max(std::sqrt(p), p_floor);
+
+    relative_velocity_increment = scale * std::sqrt(dv) / velocity_norm;
+    relative_pressure_increment = scale * std::sqrt(dp) / pressure_norm;
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::assemble(const Linearization &linearization)
+  {
+    TimerOutput::Scope scope(timer, "Assemble");
+    if (!assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system))
+      throw RunError("a simplex is inverted");
+    if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
+      throw RunError("the residual is not a finite number");
+  }
+
+
+
+  template <int dim>
+  unsigned int FluidProblem<dim>::solve()
+  {
+    TimerOutput::Scope scope(timer, "Solve");
+    // The size of an increment against which its error counts; before there is any flow, what it will be.
+    const double length  = std::sqrt(static_cast<double>(mesh->n_vertices()));
+    const double v_scale = std::max(velocity_norm, gravity.norm() * state.factors.time_step * length * 1e-3);
+    const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
+    const unsigned int n_iterations = linear_solver->solve(system, v_scale, p_scale, solution);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      velocity_change[v] = system.velocity(solution, v);
+      pressure_change[v] = system.pressure(solution, v);
+    }
+    return n_iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int FluidProblem<dim>::solve_block(const unsigned int b)
+  {
+    TimerOutput::Scope scope(timer, "Solve");
+    solution                        = 0.;
+    const unsigned int n_iterations = linear_solver->solve_block(system, b, solution);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      velocity_change[v] = system.velocity(solution, v);
+      pressure_change[v] = system.pressure(solution, v);
+    }
+    return n_iterations;
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::update(const Linearization &linearization)
+  {
+    TimerOutput::Scope scope(timer, "Update");
+    if (linearization.viscosity == ViscosityLinearization::primal_dual)
+      assembler.update_plastic_dual(*mesh, *fluid_law, velocity_change, state);
+
+    const std::vector<Tensor<1, dim>> velocity_before = state.velocity;
+    double scale                                      = 1.;
+    for (unsigned int halving = 0;; ++halving)
+    {
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        state.velocity[v] = velocity_before[v] + scale * velocity_change[v];
+      move_state();
+      const unsigned int inverted = find_inverted_cell();
+      if (inverted == mesh->n_cells())
+        break;
+      if (halving == 5)
+      {
+        std::ostringstream message;
+        message << "a simplex is inverted at ("
+                << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
+        throw RunError(message.str());
+      }
+      scale *= 0.5;
+    }
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      state.pressure[v] += scale * pressure_change[v];
+    set_norms(1.);
+    if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
+      throw RunError("velocity or pressure is not a finite number");
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::accept(ParticleCloud<dim> &cloud) const
+  {
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      const unsigned int i   = mesh->particle(v);
+      cloud.position[i]      = state.position[v];
+      cloud.velocity[i]      = state.velocity[v];
+      cloud.acceleration[i]  = state.acceleration[v];
+      cloud.pressure_rate[i] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
+      cloud.pressure[i]      = state.pressure[v];
+    }
+  }
+
+
+
+  template class FluidProblem<2>;
+  template class FluidProblem<3>;
+} // namespace Lahar

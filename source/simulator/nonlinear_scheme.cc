@@ -1,0 +1,156 @@
+#include <lahar/simulator/nonlinear_scheme.h>
+
+#include <sstream>
+
+namespace Lahar
+{
+  template <int dim>
+  void NonlinearScheme<dim>::declare_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Nonlinear solver");
+    prm.declare_entry(
+      "Scheme", "coupled", Patterns::Anything(),
+      "'coupled': Newton's method for velocity and pressure together; 'segregated': velocity first, then "
+      "pressure (Franci & Zhang 2018).");
+    prm.declare_entry(
+      "Viscosity linearization", "primal-dual", Patterns::Anything(),
+      "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
+      "large regularization parameter) or 'primal-dual'.");
+    prm.declare_entry(
+      "Tolerance", "1e-4", Patterns::Double(),
+      "Largest relative increment of velocity and pressure in the last iteration, above 0 and below 1.");
+    prm.declare_entry("Maximum iterations", "30", Patterns::Integer(),
+                      "A step that needs more iterations has failed, 1 to 1000.");
+    prm.declare_entry(
+      "Pseudo bulk modulus ratio", "0.2", Patterns::Double(),
+      "'segregated': the pseudo bulk modulus κ_p of the velocity step times Δt² over ρ h², zero or above. "
+      "It changes the convergence, not the solution.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<NonlinearScheme<dim>> NonlinearScheme<dim>::create(Parameters &prm)
+  {
+    std::unique_ptr<NonlinearScheme<dim>> scheme;
+    prm.enter_subsection("Nonlinear solver");
+    if (prm.get("Scheme") == "coupled")
+      scheme = std::make_unique<CoupledScheme<dim>>();
+    else if (prm.get("Scheme") == "segregated")
+      scheme = std::make_unique<SegregatedScheme<dim>>(prm.get_positive("Pseudo bulk modulus ratio", true));
+    else
+      prm.throw_wrong_value("Scheme", "coupled|segregated");
+
+    const std::string viscosity = prm.get("Viscosity linearization");
+    if (viscosity == "picard")
+      scheme->viscosity = ViscosityLinearization::picard;
+    else if (viscosity == "newton")
+      scheme->viscosity = ViscosityLinearization::newton;
+    else if (viscosity == "primal-dual")
+      scheme->viscosity = ViscosityLinearization::primal_dual;
+    else
+      prm.throw_wrong_value("Viscosity linearization", "picard|newton|primal-dual");
+
+    scheme->tolerance = prm.get_positive("Tolerance");
+    if (scheme->tolerance >= 1.)
+      prm.throw_wrong_value("Tolerance", "a number above 0 and below 1");
+    scheme->maximum_iterations = static_cast<unsigned int>(prm.get_in_range("Maximum iterations", 1, 1000));
+    prm.leave_subsection();
+    return scheme;
+  }
+
+
+
+  template <int dim>
+  ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const FluidProblem<dim> &problem) const
+  {
+    return viscosity == ViscosityLinearization::primal_dual && problem.law().yield_stress() == 0.
+             ? ViscosityLinearization::newton
+             : viscosity;
+  }
+
+
+
+  template <int dim>
+  NonlinearReport NonlinearScheme<dim>::solve(FluidProblem<dim> &problem) const
+  {
+    NonlinearReport report;
+    try
+    {
+      do
+      {
+        ++report.iterations;
+        iterate(problem, report);
+        if (getenv("LAHAR_DEBUG"))
+          fprintf(stderr, "   it %u dv %.2e dp %.2e Rv %.2e Rp %.2e lin %u\n", report.iterations,
+                  report.velocity_increment, report.pressure_increment, report.momentum_residual,
+                  report.mass_residual, report.linear_iterations);
+      } while ((report.velocity_increment > tolerance || report.pressure_increment > tolerance) &&
+               report.iterations < maximum_iterations);
+      if (report.velocity_increment > tolerance || report.pressure_increment > tolerance)
+      {
+        std::ostringstream reason;
+        reason << "no convergence, the relative increments are " << report.velocity_increment
+               << " (velocity) and " << report.pressure_increment << " (pressure), the tolerance is "
+               << tolerance;
+        throw RunError(reason.str());
+      }
+    }
+    catch (const RunError &error)
+    {
+      throw RunError("iteration " + std::to_string(report.iterations) + ": " + error.what());
+    }
+    return report;
+  }
+
+
+
+  template <int dim>
+  void CoupledScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report) const
+  {
+    typename NonlinearScheme<dim>::Linearization linearization;
+    linearization.viscosity = this->viscosity_linearization(problem);
+
+    problem.assemble(linearization);
+    report.momentum_residual = problem.momentum_residual_norm();
+    report.mass_residual     = problem.mass_residual_norm();
+    report.linear_iterations += problem.solve();
+    problem.update(linearization);
+    report.velocity_increment = problem.velocity_increment();
+    report.pressure_increment = problem.pressure_increment();
+  }
+
+
+
+  template <int dim>
+  void SegregatedScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report) const
+  {
+    typename NonlinearScheme<dim>::Linearization linearization;
+    linearization.viscosity         = this->viscosity_linearization(problem);
+    linearization.motion            = false;
+    linearization.pseudo_bulk_ratio = pseudo_bulk_ratio;
+
+    problem.assemble(linearization);
+    report.momentum_residual = problem.momentum_residual_norm();
+    report.linear_iterations += problem.solve_block(0);
+    problem.update(linearization);
+    report.velocity_increment = problem.velocity_increment();
+
+    linearization.viscosity = ViscosityLinearization::picard;
+    problem.assemble(linearization);
+    report.mass_residual = problem.mass_residual_norm();
+    report.linear_iterations += problem.solve_block(1);
+    problem.update(linearization);
+    report.pressure_increment = problem.pressure_increment();
+  }
+
+
+
+  template class NonlinearScheme<2>;
+  template class NonlinearScheme<3>;
+  template class CoupledScheme<2>;
+  template class CoupledScheme<3>;
+  template class SegregatedScheme<2>;
+  template class SegregatedScheme<3>;
+} // namespace Lahar

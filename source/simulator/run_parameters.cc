@@ -1,0 +1,47 @@
+#include <lahar/simulator/run_parameters.h>
+
+namespace Lahar
+{
+  void RunParameters::declare_parameters(Parameters &prm)
+  {
+    prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain).");
+    prm.declare_entry("Output directory", "output", Patterns::Anything(),
+                      "Directory for everything that the run writes; it is created if need be.");
+    prm.declare_entry("Start time", "0", Patterns::Double(), "Time at the start in s.");
+    prm.declare_entry("End time", "1", Patterns::Double(), "Time at the end in s, after the start.");
+    prm.declare_entry("Time step", "1e-3", Patterns::Double(), "Time step in s, above zero.");
+    prm.declare_entry(
+      "Minimum time step", "0", Patterns::Double(),
+      "A step that fails is repeated in halves down to this length in s, then the run stops; 0 means a "
+      "sixty-fourth of the time step.");
+    prm.declare_entry(
+      "Mesh size", "0.01", Patterns::Double(),
+      "Distance of neighbouring particles in m, above zero and at most the size of every body.");
+    prm.declare_entry("Output interval", "0.01", Patterns::Double(),
+                      "Time between the snapshots for ParaView in s, zero or above; 0 writes every step.");
+  }
+
+
+
+  void RunParameters::parse_parameters(Parameters &prm)
+  {
+    if (prm.get("Dimension") != "2")
+      prm.throw_wrong_value("Dimension", "2");
+    dimension        = 2;
+    output_directory = prm.get("Output directory");
+    if (output_directory.empty())
+      prm.throw_wrong_value("Output directory", "the name of a directory");
+    start_time = prm.get_in_range("Start time", -1e300, 1e300);
+    end_time   = prm.get_in_range("End time", -1e300, 1e300);
+    if (!(end_time > start_time))
+      prm.throw_wrong_value("End time", "a time after 'Start time', which is " + prm.get("Start time"));
+    time_step         = prm.get_positive("Time step");
+    minimum_time_step = prm.get_positive("Minimum time step", true);
+    if (minimum_time_step > time_step)
+      prm.throw_wrong_value("Minimum time step", "at most 'Time step', which is " + prm.get("Time step"));
+    if (minimum_time_step == 0.)
+      minimum_time_step = time_step / 64.;
+    mesh_size       = prm.get_positive("Mesh size");
+    output_interval = prm.get_positive("Output interval", true);
+  }
+} // namespace Lahar

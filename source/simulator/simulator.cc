@@ -1,0 +1,268 @@
+#include <lahar/boundary/free_flight.h>
+#include <lahar/simulator/simulator.h>
+#include <lahar/utilities/atomic_file.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Lahar
+{
+  template <int dim>
+  void Simulator<dim>::declare_parameters(Parameters &prm)
+  {
+    RunParameters::declare_parameters(prm);
+    prm.declare_entry("Gravity", dim == 2 ? "0, -9.81" : "0, 0, -9.81", Patterns::Anything(),
+                      "Gravity vector in m/s², its components separated by commas.");
+    prm.declare_entry(
+      "Initial velocity", dim == 2 ? "0; 0" : "0; 0; 0", Patterns::Anything(),
+      "Initial velocity of the fluid in m/s: one function of x and y per component, separated by ';'.");
+    TimeIntegration::declare_parameters(prm);
+    InitialGeometry::declare_parameters(prm);
+    FluidLaw::declare_parameters(prm);
+    Remesher<dim>::declare_parameters(prm);
+    NonlinearScheme<dim>::declare_parameters(prm);
+    FluidProblem<dim>::declare_parameters(prm);
+    Postprocessor<dim>::declare_all(prm);
+  }
+
+
+
+  template <int dim>
+  Simulator<dim>::Simulator(Parameters &prm, const MPI_Comm &communicator)
+    : communicator(communicator)
+    , prm(prm)
+    , slip_condition(walls)
+    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , problem(communicator, timer)
+  {
+    parameters.parse_parameters(prm);
+    gravity          = prm.get_vector<dim>("Gravity");
+    initial_velocity = prm.get("Initial velocity");
+    time_integration.parse_parameters(prm);
+    geometry.parse_parameters(prm);
+    law = FluidLaw::create(prm);
+    remesher.parse_parameters(prm);
+    scheme = NonlinearScheme<dim>::create(prm);
+    problem.parse_parameters(prm);
+    postprocessors = Postprocessor<dim>::create_all(prm);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::initialize()
+  {
+    geometry.create(parameters.mesh_size, particles, walls);
+    set_initial_velocities();
+    slip_condition.initialize(particles);
+    remesher.create_mesh(particles, walls, fluid_mesh);
+    if (fluid_mesh.n_cells() == 0)
+      throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
+                       ". Allowed: a mesh size well below the size of the fluid.");
+    time           = parameters.start_time;
+    initial_volume = volume = fluid_mesh.volume(particles);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::set_initial_velocities()
+  {
+    FunctionParser<dim> function(dim);
+    try
+    {
+      const std::vector<std::string> components = split_list(initial_velocity, ';');
+      AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
+      function.initialize(dim == 2 ? "x,y" : "x,y,z", components, {{"pi", numbers::PI}});
+      function.value(Point<dim>());
+    }
+    catch (const std::exception &)
+    {
+      prm.throw_wrong_value("Initial velocity",
+                            std::to_string(dim) + " functions of the coordinates separated by ';'");
+    }
+    for (unsigned int i = 0; i < particles.size(); ++i)
+      if (particles.kind[i] == ParticleKind::fluid)
+        for (unsigned int d = 0; d < dim; ++d)
+          particles.velocity[i][d] = function.value(particles.position[i], d);
+  }
+
+
+
+  template <int dim>
+  std::string Simulator<dim>::sizes() const
+  {
+    std::ostringstream text;
+    text << "Fluid particles  " << particles.n_particles(ParticleKind::fluid) << "\nWall particles   "
+         << particles.n_particles(ParticleKind::wall) << "\nFluid cells      " << fluid_mesh.n_cells()
+         << "\nUnknowns         " << (dim + 1) * fluid_mesh.n_vertices() << "\nFluid volume     "
+         << initial_volume << (dim == 2 ? " m^2" : " m^3");
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::run()
+  {
+    const std::string &directory = parameters.output_directory;
+    progress      = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time);
+    visualization = std::make_unique<Visualization<dim>>(directory);
+    progress->message(sizes());
+    visualization->write(snapshot());
+    next_output_time = parameters.start_time + parameters.output_interval;
+
+    double cell_steps     = 0.;
+    double time_step      = parameters.time_step;
+    const double rounding = 1e-10 * parameters.time_step;
+    while (time < parameters.end_time - rounding)
+    {
+      // End exactly at the end time and at the times of output; a rest below half a step joins the step before.
+      double made       = time_step;
+      const double stop = parameters.output_interval > 0. ? std::min(next_output_time, parameters.end_time)
+                                                          : parameters.end_time;
+      if (time + 1.01 * made > stop)
+        made = stop - time;
+
+      step(made);
+      cell_steps += fluid_mesh.n_cells();
+      time_step = std::min(parameters.time_step,
+                           (made < 0.49 * time_step ? 1. : 2.) * std::max(made, 0.5 * time_step));
+
+      TimerOutput::Scope scope(timer, "Output");
+      if (parameters.output_interval == 0. || time >= next_output_time - rounding ||
+          time >= parameters.end_time - rounding)
+      {
+        visualization->write(snapshot());
+        write_statistics();
+        while (parameters.output_interval > 0. && next_output_time < time + rounding)
+          next_output_time += parameters.output_interval;
+      }
+    }
+    progress->summary(timer, cell_steps);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::step(double &time_step)
+  {
+    if (step_number > 0)
+    {
+      TimerOutput::Scope scope(timer, "Remesh");
+      remeshed                = remesher.remesh(particles, walls, time_step, fluid_mesh);
+      const double new_volume = fluid_mesh.volume(particles);
+      change_by_remeshing += (new_volume - volume) / initial_volume;
+      volume = new_volume;
+      if (fluid_mesh.n_cells() == 0)
+        throw RunError("Time " + std::to_string(time) +
+                       " s: no fluid cell is left, all particles are isolated.");
+    }
+
+    NonlinearReport report;
+    for (bool accepted = false; !accepted;)
+      try
+      {
+        time_integration.start_step(time_step, step_number == 0);
+        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration);
+        report   = scheme->solve(problem);
+        accepted = true;
+      }
+      catch (const RunError &error)
+      {
+        std::ostringstream message;
+        message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
+        if (0.5 * time_step < parameters.minimum_time_step)
+        {
+          write_statistics();
+          throw RunError(message.str());
+        }
+        progress->message(message.str() + "; repeated with half the step");
+        ++n_rejected;
+        time_step *= 0.5;
+      }
+
+    {
+      TimerOutput::Scope scope(timer, "Update");
+      const std::vector<Point<dim>> old_position = particles.position;
+      problem.accept(particles);
+      wall_forces             = problem.reactions();
+      const double new_volume = fluid_mesh.volume(particles);
+      change_by_solver += (new_volume - volume) / initial_volume;
+      volume = new_volume;
+
+      move_isolated_particles(fluid_mesh, walls, gravity, time_step, particles);
+      slip_condition.update(old_position, particles);
+      fluid_mesh.move(particles);
+    }
+
+    time += time_step;
+    ++step_number;
+    TimerOutput::Scope scope(timer, "Output");
+    add_statistics(time_step, report);
+  }
+
+
+
+  template <int dim>
+  std::vector<NodeConstraint<dim>> Simulator<dim>::constraints() const
+  {
+    std::vector<NodeConstraint<dim>> result;
+    result.reserve(fluid_mesh.n_vertices());
+    for (const unsigned int particle : fluid_mesh.particles())
+      result.push_back(slip_condition.constraint(particle, particles));
+    return result;
+  }
+
+
+
+  template <int dim>
+  Snapshot<dim> Simulator<dim>::snapshot() const
+  {
+    return {particles, fluid_mesh, *law, gravity, wall_forces, time};
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::add_statistics(const double time_step, const NonlinearReport &report)
+  {
+    statistics.add_value("Time step number", step_number);
+    add_to_column(statistics, "Time (s)", time);
+    add_to_column(statistics, "Time step size (s)", time_step);
+    statistics.add_value("Nonlinear iterations", report.iterations);
+    add_to_column(statistics, "Velocity increment", report.velocity_increment);
+    add_to_column(statistics, "Pressure increment", report.pressure_increment);
+    add_to_column(statistics, "Momentum residual (N)", report.momentum_residual);
+    add_to_column(statistics, "Mass residual (m^dim/s)", report.mass_residual);
+    statistics.add_value("Linear iterations", report.linear_iterations);
+    statistics.add_value("Fluid cells", fluid_mesh.n_cells());
+    statistics.add_value("Solid cells", 0U);
+    statistics.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
+    add_to_column(statistics, "Fluid volume (m^dim)", volume);
+    add_to_column(statistics, "Volume change by solver", change_by_solver);
+    add_to_column(statistics, "Volume change by remeshing", change_by_remeshing);
+    statistics.add_value("Remeshed", static_cast<unsigned int>(remeshed));
+    statistics.add_value("Rejected steps", n_rejected);
+    for (const auto &postprocessor : postprocessors)
+      postprocessor->evaluate(snapshot(), statistics);
+    add_to_column(statistics, "Wall time (s)", progress->wall_time());
+
+    progress->step({step_number, time, time_step, report.iterations, report.velocity_increment,
+                    report.pressure_increment, fluid_mesh.n_cells(), change_by_solver + change_by_remeshing});
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_statistics()
+  {
+    write_atomically(parameters.output_directory + "/statistics", [this](std::ostream &file) {
+      statistics.write_text(file, TableHandler::table_with_separate_column_description);
+    });
+  }
+
+
+
+  template class Simulator<2>;
+} // namespace Lahar

@@ -1,0 +1,125 @@
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/utilities.h>
+
+#include <lahar/utilities/parameters.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Lahar
+{
+  void Parameters::enter_subsection(const std::string &name)
+  {
+    ParameterHandler::enter_subsection(name);
+    sections.push_back(name);
+  }
+
+
+
+  void Parameters::leave_subsection()
+  {
+    ParameterHandler::leave_subsection();
+    sections.pop_back();
+  }
+
+
+
+  std::string Parameters::path(const std::string &entry) const
+  {
+    std::string result;
+    for (const std::string &section : sections)
+      result += section + "/";
+    return result + entry;
+  }
+
+
+
+  void Parameters::throw_wrong_value(const std::string &entry, const std::string &allowed) const
+  {
+    throw InputError("Parameter '" + path(entry) + "' is '" + get(entry) + "'. Allowed: " + allowed + ".");
+  }
+
+
+
+  double Parameters::get_positive(const std::string &entry, const bool allow_zero) const
+  {
+    const double value = get_double(entry);
+    if (!std::isfinite(value) || value < 0. || (value == 0. && !allow_zero))
+      throw_wrong_value(entry, allow_zero ? "a finite number, zero or above" : "a finite number above zero");
+    return value;
+  }
+
+
+
+  double Parameters::get_in_range(const std::string &entry, const double lower, const double upper) const
+  {
+    const double value = get_double(entry);
+    if (!(value >= lower && value <= upper))
+      throw_wrong_value(entry, "a number from " + Utilities::to_string(lower) + " to " +
+                                 Utilities::to_string(upper));
+    return value;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim> Parameters::get_vector(const std::string &entry) const
+  {
+    const std::vector<std::string> components = split_list(get(entry), ',');
+    if (components.size() != dim)
+      throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas");
+    Tensor<1, dim> vector;
+    try
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        vector[d] = to_number(components[d]);
+    }
+    catch (const std::invalid_argument &)
+    {
+      throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas");
+    }
+    return vector;
+  }
+
+
+
+  std::vector<std::string> split_list(const std::string &text, const char separator)
+  {
+    if (Utilities::trim(text).empty())
+      return {};
+    std::vector<std::string> pieces;
+    std::size_t begin = 0;
+    while (true)
+    {
+      const std::size_t end = text.find(separator, begin);
+      pieces.push_back(Utilities::trim(text.substr(begin, end == std::string::npos ? end : end - begin)));
+      if (end == std::string::npos)
+        return pieces;
+      begin = end + 1;
+    }
+  }
+
+
+
+  double to_number(const std::string &text)
+  {
+    std::size_t used = 0;
+    double number    = 0.;
+    try
+    {
+      number = std::stod(text, &used);
+    }
+    catch (const std::out_of_range &)
+    {
+      throw std::invalid_argument(text);
+    }
+    if (used != text.size() || !std::isfinite(number))
+      throw std::invalid_argument(text);
+    return number;
+  }
+
+
+
+  template Tensor<1, 2> Parameters::get_vector<2>(const std::string &) const;
+  template Tensor<1, 3> Parameters::get_vector<3>(const std::string &) const;
+} // namespace Lahar
