@@ -263,7 +263,7 @@ def read_parameter(path, section, name):
         if words.startswith("subsection "):
             current.append(words.split(None, 1)[1])
         elif words == "end":
-            current.pop()
+            del current[-1:]
         elif words.startswith("set ") and "=" in words and current == section:
             key, text = words[4:].split("=", 1)
             value = text.strip() if key.strip() == name else value

@@ -12,9 +12,10 @@ import math
 import pathlib
 
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm, Normalize
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 
 from figure_style import INK, WIDTH, plt, save, use_style
 from lahar_output import (OutputError, nearest_snapshots, parse_walls, read_pvd, read_vtu, read_walls, run_script)
@@ -62,17 +63,26 @@ def field_values(mesh, name):
 
 
 def color_scale(all_values, name, logarithmic):
-    """One scale for all panels; a few extreme values, of single drops for example, do not set it."""
+    """One scale for all panels, from zero on unless the values are logarithmic or negative."""
     values = np.concatenate(all_values)
     values = values[np.isfinite(values)]
     if logarithmic:
         values = values[values > 0]
     if len(values) == 0:
         raise OutputError(f"field '{name}' has no value to draw")
-    lower, upper = np.percentile(values, [0.2, 99.8])
     if logarithmic:
-        return LogNorm(lower, upper)
-    return Normalize(0 if lower >= 0 else lower, upper if upper > 0 else 1)
+        return LogNorm(*np.exp(usual_range(np.log(values))))
+    lower, upper = usual_range(values)
+    lower = min(lower, 0)
+    return Normalize(lower, upper if upper > lower else lower + 1)
+
+
+def usual_range(values):
+    """The range of the values without a few far ones, such as those of single drops."""
+    lower, upper = np.percentile(values, [0.2, 99.8])
+    tolerance = 0.25 * (upper - lower)
+    return (lower if values.min() < lower - tolerance else values.min(),
+            upper if values.max() > upper + tolerance else values.max())
 
 
 def extension(norm, all_values):
@@ -126,17 +136,29 @@ def draw_unyielded(axes, mesh):
     if not mesh.has_field("yielded"):
         return False
     is_rigid = mesh.at_cells("yielded") < 0.5
-    axes.add_collection(PolyCollection(mesh.points[mesh.triangles[is_rigid]], facecolor="white", alpha=0.45,
-                                       edgecolor="none", antialiased=False, rasterized=True))
+    if not is_rigid.any():
+        return False
+    axes.add_patch(PathPatch(union(mesh.points[mesh.triangles[is_rigid]]), facecolor="white", alpha=0.45, linewidth=0,
+                             rasterized=True))
     corners, cells, others = edges_with_cells(mesh)
     is_yield_surface = (others >= 0) & (is_rigid[cells] != is_rigid[others])
     axes.add_collection(LineCollection(mesh.points[corners[is_yield_surface]], color="white", linewidth=0.7))
-    return bool(is_rigid.any())
+    return True
+
+
+def union(triangles):
+    """One path around triangles turned the same way, so that what is transparent shows no seam between them."""
+    edges = triangles[:, 1:] - triangles[:, :1]
+    is_clockwise = edges[:, 0, 0] * edges[:, 1, 1] < edges[:, 0, 1] * edges[:, 1, 0]
+    triangles = np.where(is_clockwise[:, None, None], triangles[:, ::-1], triangles)
+    closed = np.concatenate([triangles, triangles[:, :1]], axis=1)
+    codes = np.tile([Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], len(closed))
+    return Path(closed.reshape(-1, 2), codes)
 
 
 def draw_outline(axes, mesh):
     corners, _, others = edges_with_cells(mesh)
-    axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5))
+    axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5, capstyle="round"))
 
 
 def draw_walls(axes, walls):
@@ -148,11 +170,13 @@ def draw_walls(axes, walls):
 
 
 def make_axes(n_panels, limits, n_columns):
-    """A grid of panels that is neither very flat nor very tall."""
+    """A grid of panels that is neither very flat nor very tall and has few places empty."""
     aspect = (limits[3] - limits[2]) / (limits[1] - limits[0])
     if n_columns is None:
-        n_columns = min(range(1, n_panels + 1),
-                        key=lambda n: abs(math.log(math.ceil(n_panels / n) * aspect / n / 0.7)))
+        def badness(n):
+            n_rows = math.ceil(n_panels / n)
+            return abs(math.log(n_rows * aspect / n / 0.7)) + 0.5 * (n * n_rows - n_panels)
+        n_columns = min(range(1, n_panels + 1), key=badness)
     n_columns = min(n_columns, n_panels)
     n_rows = math.ceil(n_panels / n_columns)
     height = n_rows * (0.86 * WIDTH / n_columns * aspect + 0.3) + 0.3

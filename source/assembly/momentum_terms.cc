@@ -62,7 +62,7 @@ namespace Lahar
 
     template <int dim>
     ViscousTangent<dim> viscous_tangent(const FluidCell<dim> &cell, const double viscosity,
-                                        const ViscosityLinearization linearization)
+                                        const ViscosityLinearization linearization, const double plastic_weight)
     {
       ViscousTangent<dim> tangent;
       tangent.viscosity = viscosity;
@@ -75,15 +75,15 @@ namespace Lahar
       const double viscous_derivative = cell.law->viscous_part(rate).derivative;
       tangent.A                       = cell.deviator;
       static const double beta        = getenv("BETA") ? atof(getenv("BETA")) : 1.;
-      tangent.coefficient             = beta;
+      tangent.coefficient             = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
       tangent.B = 2. * viscous_derivative / rate * cell.deviator;
       if (linearization == ViscosityLinearization::newton)
-        tangent.B += 2. * tau_0 * plastic.derivative / rate * cell.deviator;
+        tangent.B += plastic_weight * 2. * tau_0 * plastic.derivative / rate * cell.deviator;
       else if (tau_0 > 0.)
       {
         const double norm = std::sqrt(0.5 * (cell.plastic_dual * cell.plastic_dual));
-        tangent.B += tau_0 * plastic.derivative / plastic.value / rate / std::max(1., norm) *
+        tangent.B += plastic_weight * tau_0 * plastic.derivative / plastic.value / rate / std::max(1., norm) *
                      cell.plastic_dual;
       }
       return tangent;
@@ -99,7 +99,7 @@ namespace Lahar
     constexpr unsigned n                 = dim + 1;
     const double viscosity               = cell.law->effective_viscosity(cell.strain_rate).value;
     const SymmetricTensor<2, dim> stress = 2. * viscosity * cell.deviator;
-    const ViscousTangent<dim> tangent    = viscous_tangent(cell, viscosity, linearization);
+    const ViscousTangent<dim> tangent    = viscous_tangent(cell, viscosity, linearization, plastic_weight);
     const auto &G                        = cell.gradients;
     const double mu_V                    = tangent.viscosity * cell.volume;
     const double c_V                     = tangent.coefficient * cell.volume;

@@ -72,16 +72,11 @@ namespace Lahar
     assembler.set_stabilization(*mesh, law, state);
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.velocity[v] += (getenv("GUESS") ? atof(getenv("GUESS")) : 1.) * state.factors.time_step *
-                           state.old_acceleration[v];
     move_state();
+    // Where the old velocities would invert a simplex, the first assembly takes the geometry before the step.
     if (find_inverted_cell() < mesh->n_cells())
-    {
-      state.velocity = state.old_velocity;
-      move_state();
-    }
-    set_norms(0.);
+      state.position = state.old_position;
+    set_norms();
   }
 
 
@@ -112,7 +107,7 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::set_norms(const double scale)
+  void FluidProblem<dim>::set_norms()
   {
     double v = 0., p = 0., dv = 0., dp = 0.;
     for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
@@ -129,8 +124,8 @@ namespace Lahar
     velocity_norm        = std::max(std::sqrt(v), v_floor);
     pressure_norm        = std::max(std::sqrt(p), p_floor);
 
-    relative_velocity_increment = scale * std::sqrt(dv) / velocity_norm;
-    relative_pressure_increment = scale * std::sqrt(dp) / pressure_norm;
+    relative_velocity_increment = std::sqrt(dv) / velocity_norm;
+    relative_pressure_increment = std::sqrt(dp) / pressure_norm;
   }
 
 
@@ -156,11 +151,7 @@ namespace Lahar
     const double v_scale = std::max(velocity_norm, gravity.norm() * state.factors.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
     const unsigned int n_iterations = linear_solver->solve(system, v_scale, p_scale, solution);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      velocity_change[v] = system.velocity(solution, v);
-      pressure_change[v] = system.pressure(solution, v);
-    }
+    start_increment();
     return n_iterations;
   }
 
@@ -172,47 +163,57 @@ namespace Lahar
     TimerOutput::Scope scope(timer, "Solve");
     solution                        = 0.;
     const unsigned int n_iterations = linear_solver->solve_block(system, b, solution);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      velocity_change[v] = system.velocity(solution, v);
-      pressure_change[v] = system.pressure(solution, v);
-    }
+    start_increment();
     return n_iterations;
   }
 
 
 
   template <int dim>
-  void FluidProblem<dim>::update(const Linearization &linearization)
+  void FluidProblem<dim>::start_increment()
+  {
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      {
+        velocity_change[v] = system.velocity(solution, v);
+        pressure_change[v] = system.pressure(solution, v);
+      }
+    base_velocity = state.velocity;
+    base_pressure = state.pressure;
+    if (fluid_law->yield_stress() > 0.)
+      assembler.predict_plastic_dual(*mesh, *fluid_law, state, velocity_change, base_dual, dual_change);
+  }
+
+
+
+  template <int dim>
+  double FluidProblem<dim>::take_step(double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    if (linearization.viscosity == ViscosityLinearization::primal_dual)
-      assembler.update_plastic_dual(*mesh, *fluid_law, velocity_change, state);
-
-    const std::vector<Tensor<1, dim>> velocity_before = state.velocity;
-    double scale                                      = 1.;
-    for (unsigned int halving = 0;; ++halving)
-    {
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        state.velocity[v] = velocity_before[v] + scale * velocity_change[v];
-      move_state();
-      const unsigned int inverted = find_inverted_cell();
-      if (inverted == mesh->n_cells())
-        break;
-      if (halving == 5)
+    for (unsigned int halving = 0;; ++halving, length *= 0.5)
       {
-        std::ostringstream message;
-        message << "a simplex is inverted at ("
-                << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
-        throw RunError(message.str());
+        for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+          state.velocity[v] = base_velocity[v] + length * velocity_change[v];
+        move_state();
+        const unsigned int inverted = find_inverted_cell();
+        if (inverted == mesh->n_cells())
+          break;
+        if (halving == 5)
+          {
+            std::ostringstream message;
+            message << "a simplex is inverted at ("
+                    << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
+            throw RunError(message.str());
+          }
       }
-      scale *= 0.5;
-    }
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.pressure[v] += scale * pressure_change[v];
-    set_norms(1.);
+      state.pressure[v] = base_pressure[v] + length * pressure_change[v];
+    if (fluid_law->yield_stress() > 0.)
+      for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+        state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
+    set_norms();
     if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
       throw RunError("velocity or pressure is not a finite number");
+    return length;
   }
 
 

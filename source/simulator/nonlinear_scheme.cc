@@ -4,6 +4,21 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    // Along d' the Jacobian of a yielding cell almost vanishes. A tenth of the secant stiffness left in it while the
+    // increments are large, less than that below an increment of 1e-3, keeps the iteration from overshooting.
+    constexpr double largest_stiffening = 0.1;
+    constexpr double stiffening_rate    = 100.;
+
+    /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
+    constexpr double     overshoot      = 0.1;
+    constexpr double     shortest_step  = 0.2;
+    constexpr unsigned int n_trial_steps = 3;
+  } // namespace
+
+
+
   template <int dim>
   void NonlinearScheme<dim>::declare_parameters(Parameters &prm)
   {
@@ -82,13 +97,8 @@ namespace Lahar
       {
         ++report.iterations;
         iterate(problem, report);
-        if (getenv("LAHAR_DEBUG"))
-          fprintf(stderr, "   it %u dv %.2e dp %.2e Rv %.2e Rp %.2e lin %u\n", report.iterations,
-                  report.velocity_increment, report.pressure_increment, report.momentum_residual,
-                  report.mass_residual, report.linear_iterations);
-      } while ((report.velocity_increment > tolerance || report.pressure_increment > tolerance) &&
-               report.iterations < maximum_iterations);
-      if (report.velocity_increment > tolerance || report.pressure_increment > tolerance)
+      } while (!is_converged(report) && report.iterations < maximum_iterations);
+      if (!is_converged(report))
       {
         std::ostringstream reason;
         reason << "no convergence, the relative increments are " << report.velocity_increment
@@ -112,13 +122,30 @@ namespace Lahar
     typename NonlinearScheme<dim>::Linearization linearization;
     linearization.viscosity = this->viscosity_linearization(problem);
 
-    problem.assemble(linearization);
+    linearization.plastic_weight = 1. - largest_stiffening;
+    if (report.iterations == 1)
+      problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();
     report.mass_residual     = problem.mass_residual_norm();
     report.linear_iterations += problem.solve();
-    problem.update(linearization);
+
+    // Line search for δv·R_v = 0, only where the full step overshoots. The last assembly serves the next iteration.
+    const double start  = problem.work_along_increment();
+    double       length = problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
+    if (this->is_converged(report))
+      return;
+    linearization.plastic_weight = 1. - std::min(largest_stiffening, stiffening_rate * report.velocity_increment);
+    problem.assemble(linearization);
+    for (unsigned int trial = 0; trial < n_trial_steps; ++trial)
+      {
+        const double end = problem.work_along_increment();
+        if (!(start < 0. && end > -overshoot * start))
+          break;
+        length = problem.take_step(length * std::max(shortest_step, start / (start - end)));
+        problem.assemble(linearization);
+      }
   }
 
 
@@ -134,14 +161,14 @@ namespace Lahar
     problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();
     report.linear_iterations += problem.solve_block(0);
-    problem.update(linearization);
+    problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
 
     linearization.viscosity = ViscosityLinearization::picard;
     problem.assemble(linearization);
     report.mass_residual = problem.mass_residual_norm();
     report.linear_iterations += problem.solve_block(1);
-    problem.update(linearization);
+    problem.take_step(1.);
     report.pressure_increment = problem.pressure_increment();
   }
 

@@ -21,9 +21,10 @@ namespace Lahar
     /// What the Jacobian contains.
     struct Linearization
     {
-      ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
-      bool motion                      = true; ///< the dependence of the geometry on the velocity
-      double pseudo_bulk_ratio         = 0.;   ///< PseudoBulkStiffness of the segregated scheme
+      ViscosityLinearization viscosity         = ViscosityLinearization::primal_dual;
+      double                 plastic_weight    = 1.;   ///< factor of the plastic part's derivative
+      bool                   motion            = true; ///< the dependence of the geometry on the velocity
+      double                 pseudo_bulk_ratio = 0.;   ///< PseudoBulkStiffness of the segregated scheme
     };
 
     static void declare_parameters(Parameters &prm);
@@ -39,11 +40,13 @@ namespace Lahar
     void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
 
     /**
-     * Move Λ along after the velocities changed by @p increment (by vertex), before the state takes the increment:
-     * Λ ← [2 (d' + δd') − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
+     * How Λ follows the velocities when they change by α times @p increment (by vertex) from the present state:
+     * Λ(α) = base + α slope, base = 2 d'/ψ, slope = [2 δd' − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
      */
-    void update_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
-                             const std::vector<Tensor<1, dim>> &increment, FluidState<dim> &state) const;
+    void predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
+                              const std::vector<Tensor<1, dim>>      &increment,
+                              std::vector<SymmetricTensor<2, dim>> &base,
+                              std::vector<SymmetricTensor<2, dim>> &slope) const;
 
     /// Assemble. @return whether all cells have positive volume; if not, the system is incomplete.
     bool assemble(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,

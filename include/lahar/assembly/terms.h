@@ -42,14 +42,17 @@ namespace Lahar
   class ViscousStress
   {
   public:
-    explicit ViscousStress(const ViscosityLinearization linearization)
+    /// @param plastic_weight factor of the plastic part's derivative, below one to stiffen the Jacobian.
+    explicit ViscousStress(const ViscosityLinearization linearization, const double plastic_weight = 1.)
       : linearization(linearization)
+      , plastic_weight(plastic_weight)
     {}
 
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
 
   private:
     ViscosityLinearization linearization;
+    double                 plastic_weight;
   };
 
   /**

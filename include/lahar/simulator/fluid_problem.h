@@ -43,12 +43,20 @@ namespace Lahar
     unsigned int solve_block(const unsigned int b);
 
     /**
-     * Add the increments to the state. If simplices would invert, the increments are halved until none does.
-     * @throws RunError with the place if that does not help.
+     * Move from the state in which the system was solved by @p length times the increments. If simplices would invert,
+     * the length is halved until none does. May be called again with another length.
+     * @return the length taken.
+     * @throws RunError with the place if halving does not help.
      */
-    void update(const Linearization &linearization);
+    double take_step(const double length);
 
-    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last update.
+    /// δv·R_v of the last assembled residual: negative where going on along the increments lowers the energy.
+    double work_along_increment() const
+    {
+      return -(solution.block(0) * system.right_hand_side().block(0));
+    }
+
+    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step.
     double velocity_increment() const
     {
       return relative_velocity_increment;
@@ -86,10 +94,11 @@ namespace Lahar
     }
 
   private:
+    void start_increment();
     void move_state();
     /// Index of a cell without positive volume, n_cells() if there is none.
     unsigned int find_inverted_cell() const;
-    void set_norms(const double scale);
+    void set_norms();
 
     TimerOutput &timer;
     FluidAssembler<dim> assembler;
@@ -104,8 +113,9 @@ namespace Lahar
     FluidState<dim> state;
 
     std::vector<Simplex<dim>> numbered_cells;
-    std::vector<Tensor<1, dim>> velocity_change;
-    std::vector<double> pressure_change;
+    std::vector<Tensor<1, dim>>          base_velocity, velocity_change;
+    std::vector<double>                  base_pressure, pressure_change;
+    std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
   };

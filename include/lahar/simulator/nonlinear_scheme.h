@@ -40,8 +40,14 @@ namespace Lahar
   protected:
     using Linearization = typename FluidProblem<dim>::Linearization;
 
-    /// One iteration: assemble, solve, update. Enters in the report what it took.
+    /// One iteration: assemble, solve, step. Enters in the report what it took.
     virtual void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const = 0;
+
+    /// Whether both increments are within the tolerance.
+    bool is_converged(const NonlinearReport &report) const
+    {
+      return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance;
+    }
 
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
     ViscosityLinearization viscosity_linearization(const FluidProblem<dim> &problem) const;

@@ -1,0 +1,84 @@
+#ifndef lahar_tests_assembly_stokes_h
+#define lahar_tests_assembly_stokes_h
+
+#include <lahar/assembly/fluid_assembler.h>
+#include <lahar/linear/direct_solver.h>
+
+#include "tests.h"
+
+namespace Tests
+{
+  /**
+   * Creeping flow on a mesh that stands still: neither inertia nor motion of the geometry. The time step enters the
+   * stabilisation parameter and the compressibility.
+   */
+  template <int dim>
+  class Stokes
+  {
+  public:
+    Stokes(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const FluidLaw &law,
+           const Tensor<1, dim> &gravity, const double time_step, const std::string &parameters)
+      : mesh(mesh)
+      , law(law)
+      , gravity(gravity)
+      , system(MPI_COMM_WORLD)
+    {
+      parse(assembler, parameters);
+      parse(solver, "subsection Direct\n set Tolerance = 0\nend\n");
+
+      const unsigned int n = mesh.n_vertices();
+      for (unsigned int v = 0; v < n; ++v)
+        state.position.push_back(cloud.position[mesh.particle(v)]);
+      state.old_position = state.position;
+      state.velocity = state.acceleration = state.old_velocity = state.old_acceleration =
+        std::vector<Tensor<1, dim>>(n);
+      state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(n, 0.);
+      state.factors                                                 = {time_step, 0., 0.};
+      constraints.resize(n);
+      system.reinit(n, mesh.cells());
+      assembler.set_stabilization(mesh, law, state);
+    }
+
+    /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return iterations.
+    unsigned int solve(const ViscosityLinearization viscosity, const double tolerance,
+                       const unsigned int max_iterations)
+    {
+      system.set_constraints(constraints);
+      auto solution = system.make_vector();
+      for (unsigned int iteration = 1;; ++iteration)
+      {
+        assemble(viscosity);
+        solver.solve(system, 1., 1., solution);
+        double largest = 0.;
+        for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+        {
+          const Tensor<1, dim> increment = system.velocity(solution, v);
+          largest                        = std::max(largest, increment.norm());
+          state.velocity[v] += increment;
+          state.pressure[v] += system.pressure(solution, v);
+        }
+        if (largest < tolerance || iteration == max_iterations)
+          return iteration;
+      }
+    }
+
+    void assemble(const ViscosityLinearization viscosity)
+    {
+      typename FluidAssembler<dim>::Linearization linearization;
+      linearization.viscosity = viscosity;
+      linearization.motion    = false;
+      assembler.assemble(mesh, law, gravity, state, linearization, system);
+    }
+
+    const FluidMesh<dim> &mesh;
+    const FluidLaw &law;
+    Tensor<1, dim> gravity;
+    FluidAssembler<dim> assembler;
+    BlockSystem<dim> system;
+    DirectSolver<dim> solver;
+    FluidState<dim> state;
+    std::vector<NodeConstraint<dim>> constraints;
+  };
+} // namespace Tests
+
+#endif

@@ -1,0 +1,275 @@
+// Test every term of the weak form in 2D and 3D: its Jacobian against central differences of its residual, where the
+// nodes move with their velocities, and the identities that the residuals obey.
+
+#include <deal.II/base/utilities.h>
+
+#include <lahar/assembly/terms.h>
+#include <lahar/remeshing/simplex_geometry.h>
+
+#include "tests.h"
+
+using namespace Tests;
+
+/// A cell during a step of 0.1 s: everything that follows from velocities and pressures at its end.
+template <int dim>
+struct Example
+{
+  static constexpr unsigned int n = dim + 1, n_unknowns = n * n;
+  using Unknowns = std::array<double, n_unknowns>;
+
+  std::array<Point<dim>, n> old_position;
+  std::array<Tensor<1, dim>, n> old_velocity;
+  FluidCell<dim> cell;
+  Unknowns unknowns;
+
+  Example(Random &random, const FluidLaw &law)
+  {
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      if (I > 0)
+        old_position[I][I - 1] = 1.;
+      old_position[I] += 0.2 * random.vector<dim>();
+      old_velocity[I]           = 0.5 * random.vector<dim>();
+      cell.old_pressure[I]      = random.number();
+      cell.old_pressure_rate[I] = random.number();
+      for (unsigned int d = 0; d <= dim; ++d)
+        unknowns[CellSystem<dim>::index(I, d)] = random.number();
+    }
+    cell.factors       = {0.1, 0.05, 20.};
+    cell.gravity       = random.vector<dim>();
+    cell.law           = &law;
+    cell.stabilization = 0.3;
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = a; b < dim; ++b)
+        cell.plastic_dual[a][b] = random.number();
+    set(unknowns);
+  }
+
+  void set(const Unknowns &values)
+  {
+    std::array<Point<dim>, n> x;
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        cell.velocity[I][d] = values[CellSystem<dim>::index(I, d)];
+      cell.pressure[I]     = values[CellSystem<dim>::pressure_index(I)];
+      cell.acceleration[I] = cell.factors.acceleration_factor * (cell.velocity[I] - old_velocity[I]);
+      x[I]                 = old_position[I] + cell.factors.position_factor * cell.velocity[I];
+    }
+    cell.reinit(x, true);
+    AssertThrow(cell.volume > 0., ExcInternalError());
+  }
+
+  template <typename Assemble>
+  CellSystem<dim> system(const Assemble &assemble) const
+  {
+    CellSystem<dim> result;
+    result.clear();
+    assemble(cell, result);
+    return result;
+  }
+
+  /// Largest difference between the Jacobian and central differences, over the largest entry of the same block.
+  template <typename Assemble>
+  double jacobian_error(const Assemble &assemble)
+  {
+    const auto jacobian = system(assemble).matrix;
+    double size[2][2] = {{1e-10, 1e-10}, {1e-10, 1e-10}}, error[2][2] = {};
+    for (unsigned int j = 0; j < n_unknowns; ++j)
+    {
+      const double step = 1e-5;
+      std::array<std::array<double, n_unknowns>, 2> residual;
+      for (unsigned int side = 0; side < 2; ++side)
+      {
+        Unknowns moved = unknowns;
+        moved[j] += (side ? step : -step);
+        set(moved);
+        residual[side] = system(assemble).residual;
+      }
+      for (unsigned int i = 0; i < n_unknowns; ++i)
+      {
+        const double difference = (residual[1][i] - residual[0][i]) / (2. * step);
+        double &block_size      = size[i % n == dim][j % n == dim],
+               &block_error     = error[i % n == dim][j % n == dim];
+        block_size              = std::max({block_size, std::abs(difference), std::abs(jacobian[i][j])});
+        block_error             = std::max(block_error, std::abs(difference - jacobian[i][j]));
+      }
+    }
+    set(unknowns);
+    return std::max({error[0][0] / size[0][0], error[0][1] / size[0][1], error[1][0] / size[1][0],
+                     error[1][1] / size[1][1]});
+  }
+};
+
+template <int dim, typename Assemble>
+void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble &assemble)
+{
+  Random random;
+  double error = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+    error = std::max(error, Example<dim>(random, law).jacobian_error(assemble));
+  check(Utilities::int_to_string(dim) + "D Jacobian: " + name, error, 1e-6);
+}
+
+template <typename Term>
+auto assembler(const Term &term)
+{
+  return [term](const auto &cell, auto &system) { term.assemble(cell, system); };
+}
+
+/// Primal-dual with Λ = 2 f d' must be Newton, at most with less weight on the plastic rank-one part.
+template <int dim>
+void check_primal_dual(const FluidLaw &law)
+{
+  Random random;
+  double error = 0., lowest = 1e10, highest = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    Example<dim> example(random, law);
+    example.cell.plastic_dual = 2. * law.plastic_part(example.cell.strain_rate).value * example.cell.deviator;
+    const auto picard = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::picard))).matrix;
+    const auto newton = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::newton))).matrix;
+    const auto dual =
+      example.system(assembler(ViscousStress<dim>(ViscosityLinearization::primal_dual))).matrix;
+    double product = 0., square = 0., size = 0.;
+    for (unsigned int i = 0; i < newton.size(); ++i)
+      for (unsigned int j = 0; j < newton.size(); ++j)
+      {
+        product += (dual[i][j] - picard[i][j]) * (newton[i][j] - picard[i][j]);
+        square += std::pow(newton[i][j] - picard[i][j], 2);
+        size = std::max(size, std::abs(newton[i][j]));
+      }
+    const double weight = product / square;
+    lowest              = std::min(lowest, weight);
+    highest             = std::max(highest, weight);
+    for (unsigned int i = 0; i < newton.size(); ++i)
+      for (unsigned int j = 0; j < newton.size(); ++j)
+        error = std::max(error,
+                         std::abs(dual[i][j] - (1. - weight) * picard[i][j] - weight * newton[i][j]) / size);
+  }
+  const std::string name = Utilities::int_to_string(dim) + "D primal-dual tangent ";
+  check(name + "lies between Picard and Newton", error, 1e-12);
+  check(name + "has one weight", highest - lowest, 1e-10);
+  check(name + "has a weight from 0.8 to 1", lowest > 0.8 && highest < 1. + 1e-10);
+}
+
+template <int dim>
+void check_identities(const FluidLaw &law)
+{
+  using S                = CellSystem<dim>;
+  const std::string name = Utilities::int_to_string(dim) + "D ";
+  Random random;
+  Example<dim> example(random, law);
+  FluidCell<dim> &cell = example.cell;
+
+  const auto sum = [&](const auto &term) {
+    Tensor<1, dim + 1> total;
+    const CellSystem<dim> system = example.system(assembler(term));
+    for (unsigned int i = 0; i < S::n_unknowns; ++i)
+      total[i % (dim + 1)] += system.residual[i];
+    return total;
+  };
+  const auto in_velocity = [](const Tensor<1, dim> &v) {
+    Tensor<1, dim + 1> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = v[d];
+    return result;
+  };
+  const double mass = law.density() * cell.volume;
+  check(name + "rows of inertia sum to m a",
+        (sum(Inertia<dim>()) - in_velocity(mass * cell.mean_acceleration())).norm(), 1e-12);
+  check(name + "rows of weight sum to -m g",
+        (sum(BodyForce<dim>()) + in_velocity(mass * cell.gravity)).norm(), 1e-13);
+  check(name + "rows of viscous stress sum to zero",
+        sum(ViscousStress<dim>(ViscosityLinearization::newton)).norm(), 1e-12);
+  Tensor<1, dim + 1> rate;
+  for (unsigned int I = 0; I <= dim; ++I)
+    rate[dim] += law.compressibility() * cell.volume / (dim + 1) * (cell.pressure[I] - cell.old_pressure[I]) /
+                 cell.factors.time_step;
+  rate[dim] -= cell.volume * trace(cell.velocity_gradient);
+  check(name + "rows of pressure and divergence sum to the balance of mass",
+        (sum(PressureDivergence<dim>()) - rate).norm(), 1e-12);
+  check(name + "rows of the residual stabilisation sum to zero", sum(ResidualStabilization<dim>()).norm(),
+        1e-12);
+
+  // A pure shear has no divergence, which alone the pseudo-volumetric stiffness sees.
+  const auto bulk = example.system(assembler(PseudoBulkStiffness<dim>(1.))).matrix;
+  double force = 0., asymmetry = 0.;
+  for (unsigned int i = 0; i < S::n_unknowns; ++i)
+  {
+    double row = 0.;
+    for (unsigned int J = 0; J <= dim; ++J)
+    {
+      const Point<dim> x = example.old_position[J] + cell.factors.position_factor * cell.velocity[J];
+      row += bulk[i][S::index(J, 0)] * (x[0] + 2. * x[1]) - bulk[i][S::index(J, 1)] * x[1];
+    }
+    for (unsigned int j = 0; j < S::n_unknowns; ++j)
+      asymmetry = std::max(asymmetry, std::abs(bulk[i][j] - bulk[j][i]));
+    force = std::max(force, std::abs(row));
+  }
+  check(name + "pseudo-volumetric stiffness is symmetric and blind to shear", force + asymmetry, 1e-12);
+
+  // A rigid motion, with the positions held: no viscous force, not even in a plug.
+  Tensor<2, dim> spin;
+  for (unsigned int a = 0; a < dim; ++a)
+    for (unsigned int b = 0; b < a; ++b)
+      spin[b][a] = -(spin[a][b] = random.number());
+  const Tensor<1, dim> translation = random.vector<dim>();
+  for (unsigned int I = 0; I <= dim; ++I)
+    cell.velocity[I] = translation + spin * example.old_position[I];
+  cell.reinit(example.old_position, true);
+  const auto rigid = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::newton))).residual;
+  check(name + "rigid motion makes no viscous force", *std::max_element(rigid.begin(), rigid.end()), 1e-12);
+
+  // A fluid at rest with the pressure of its weight (positive in tension).
+  for (unsigned int I = 0; I <= dim; ++I)
+  {
+    cell.velocity[I] = cell.acceleration[I] = Tensor<1, dim>();
+    cell.pressure[I] = cell.old_pressure[I] = -law.density() * (cell.gravity * example.old_position[I]);
+    cell.old_pressure_rate[I]               = 0.;
+  }
+  cell.reinit(example.old_position, true);
+  double mass_residual = 0.;
+  for (const auto &residual : {example.system(assembler(FICInterior<dim>())).residual,
+                               example.system(assembler(ResidualStabilization<dim>())).residual})
+    for (unsigned int I = 0; I <= dim; ++I)
+      mass_residual = std::max(mass_residual, std::abs(residual[S::pressure_index(I)]));
+  check(name + "hydrostatic pressure leaves no mass residual", mass_residual, 1e-13);
+}
+
+template <int dim>
+void test()
+{
+  const auto bingham   = make_law("Bingham", {{"Density", "1.3"},
+                                              {"Bulk modulus", "5"},
+                                              {"Plastic viscosity", "0.7"},
+                                              {"Yield stress", "2"},
+                                              {"Regularization parameter", "3"}});
+  const auto newtonian = make_law("Newtonian", {{"Density", "1.3"}, {"Viscosity", "0.7"}});
+
+  check_jacobian<dim>("inertia", *bingham, assembler(Inertia<dim>()));
+  check_jacobian<dim>("weight", *bingham, assembler(BodyForce<dim>()));
+  check_jacobian<dim>("viscous stress, Bingham, newton", *bingham,
+                      assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
+  for (const auto linearization :
+       {ViscosityLinearization::picard, ViscosityLinearization::newton, ViscosityLinearization::primal_dual})
+    check_jacobian<dim>("viscous stress, Newtonian", *newtonian,
+                        assembler(ViscousStress<dim>(linearization)));
+  check_jacobian<dim>("pressure and divergence", *bingham, assembler(PressureDivergence<dim>()));
+  check_jacobian<dim>("FIC inside", *bingham, assembler(FICInterior<dim>()));
+  check_jacobian<dim>("residual stabilisation", *bingham, assembler(ResidualStabilization<dim>()));
+  for (unsigned int opposite = 0; opposite <= dim; ++opposite)
+    check_jacobian<dim>("FIC on the free surface, Newtonian", *newtonian,
+                        [opposite](const auto &cell, auto &system) {
+                          FICFreeSurface<dim>().assemble(cell, opposite, system);
+                        });
+  check_primal_dual<dim>(*bingham);
+  check_identities<dim>(*bingham);
+}
+
+int main()
+{
+  test<2>();
+  test<3>();
+  return n_failed;
+}

@@ -1,0 +1,224 @@
+// Test the initial particles and walls of boxes, polygons and gmsh groups: areas, spacing, contact points on walls, no
+// particle inside a wall; the polygon functions; and the errors of wrong geometries.
+
+#include <lahar/geometry/gmsh_file.h>
+#include <lahar/geometry/initial_geometry.h>
+#include <lahar/remeshing/remesher.h>
+#include <lahar/remeshing/simplex_geometry.h>
+
+#include "tests.h"
+
+#include <fstream>
+
+using namespace Tests;
+
+struct Case
+{
+  ParticleCloud<2> cloud;
+  Walls<2> walls;
+  FluidMesh<2> mesh;
+
+  Case(const Entries &entries, const double h)
+  {
+    Parameters prm;
+    InitialGeometry::declare_parameters(prm);
+    prm.enter_subsection("Geometry");
+    for (const auto &[entry, value] : entries)
+      prm.set(entry, value);
+    prm.leave_subsection();
+    InitialGeometry geometry;
+    geometry.parse_parameters(prm);
+    geometry.create(h, cloud, walls);
+    Remesher<2> remesher;
+    parse(remesher);
+    remesher.create_mesh(cloud, walls, mesh);
+  }
+
+  double nearest_distance() const
+  {
+    double nearest = 1e10;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        nearest = std::min(nearest, cloud.position[i].distance(cloud.position[j]));
+    return nearest;
+  }
+
+  bool has_particle(const Point<2> &p, const ParticleKind kind) const
+  {
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.position[i].distance(p) < 1e-12 && cloud.kind[i] == kind)
+        return true;
+    return false;
+  }
+};
+
+void check_error(const std::string &what, const Entries &entries, const std::vector<std::string> &parts,
+                 const double h = 0.1)
+{
+  check_throws<InputError>(what, parts, [&]() { Case(entries, h); });
+}
+
+void test_polygons()
+{
+  const Polygon L = {{0., 0.}, {2., 0.}, {2., 1.}, {1., 1.}, {1., 3.}, {0., 3.}};
+  check("area", signed_area(L) - 4., 1e-14);
+  check("area of clockwise corners", signed_area(Polygon(L.rbegin(), L.rend())) + 4., 1e-14);
+  check("inside", is_inside(L, {0.5, 2.5}) && is_inside(L, {1.9, 0.1}));
+  check("outside", !is_inside(L, {1.5, 1.5}) && !is_inside(L, {-0.1, 0.5}));
+  check("distance from a segment", distance_to_segment({3., 4.}, {0., 0.}, {0., 0.1}) - std::hypot(3., 3.9),
+        1e-14);
+  check("distance from the contour", distance_to_contour(L, {0.5, 2.}) - 0.5, 1e-14);
+  check("a bow tie intersects itself", is_self_intersecting({{0., 0.}, {1., 1.}, {1., 0.}, {0., 1.}}));
+  check("an L does not", !is_self_intersecting(L));
+
+  for (const double h : {0.3, 0.1, 0.07})
+  {
+    const std::vector<Point<2>> line = sample_polyline({{0., 0.}, {1., 0.}, {1., 0.5}}, h, false);
+    double longest                   = 0.;
+    for (unsigned int i = 1; i < line.size(); ++i)
+      longest = std::max(longest, line[i].distance(line[i - 1]) / h);
+    check("pieces of a line are at most 1.5 h long", longest <= 1.5);
+    check("a line keeps its corners",
+          std::count(line.begin(), line.end(), Point<2>(1., 0.)) == 1 && line.back() == Point<2>(1., 0.5));
+
+    const std::vector<Point<2>> points = fill_polygon(L, h);
+    bool inside                        = true;
+    double nearest                     = 1e10;
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      inside = inside && (is_inside(L, points[i]) || distance_to_contour(L, points[i]) < 1e-12);
+      for (unsigned int j = 0; j < i; ++j)
+        nearest = std::min(nearest, points[i].distance(points[j]) / h);
+    }
+    check("a filled polygon's points lie in it", inside);
+    check("they are at least h/2 apart", nearest > 0.5);
+    check("their number is that of equilateral triangles", points.size() * std::sqrt(0.75) * h * h / 4. - 1.,
+          0.25);
+  }
+}
+
+void test_column(const Case &column, const double h)
+{
+  const double area = 0.146 * 0.292;
+  // In the hollow corner three wall particles may take a cell's area away, no more.
+  const double error = column.mesh.volume(column.cloud) - area;
+  check("the mesh fills the column", error < 1e-10 && error > -0.75 * h * h);
+  bool beside = false;
+  for (const Simplex<2> &cell : column.mesh.particle_cells())
+  {
+    const Point<2> p = centroid<2>(corners_of<2>(cell, column.cloud.position));
+    beside           = beside || p[0] > 0.146 || p[1] > 0.292;
+  }
+  check("no cell outside the column", !beside);
+  check("particles keep their distance", column.nearest_distance() > 0.3 * h);
+  check("wall particles stand on the floor and the wall",
+        column.has_particle({0., 0.}, ParticleKind::wall) &&
+          column.has_particle({0.5, 0.}, ParticleKind::wall) &&
+          column.has_particle({0., 0.4}, ParticleKind::wall));
+  check("the surface meets the wall in a wall particle",
+        column.has_particle({0., 0.292}, ParticleKind::wall));
+  check("the front meets the floor in a wall particle", column.has_particle({0.146, 0.}, ParticleKind::wall));
+  bool on_walls = true, fluid_off_walls = true;
+  for (unsigned int i = 0; i < column.cloud.size(); ++i)
+  {
+    const Point<2> &p  = column.cloud.position[i];
+    const double depth = std::min(p[0], p[1]);
+    if (column.cloud.kind[i] == ParticleKind::wall)
+      on_walls = on_walls && std::abs(depth) < 1e-12;
+    else
+      fluid_off_walls = fluid_off_walls && depth > 0.2 * h;
+  }
+  check("wall particles lie on the walls, fluid off them", on_walls && fluid_off_walls);
+}
+
+int main()
+{
+  test_polygons();
+
+  const std::string walls = "0, 0.4 : 0, 0 : 0.5, 0";
+  test_column(Case({{"Fluid boxes", "0, 0 : 0.146, 0.292"}, {"No-slip walls", walls}}, 0.02), 0.02);
+  test_column(Case({{"Fluid boxes", "0.146, 0.292 : 0, 0"}, {"No-slip walls", walls}}, 0.006), 0.006);
+  for (const std::string format : {"22", "41"})
+  {
+    const std::string file = SOURCE_DIR "/column_" + format + ".msh";
+    test_column(
+      Case({{"Mesh file", file}, {"Fluid groups", "fluid"}, {"No-slip wall groups", "floor, left wall"}},
+           0.03),
+      0.03);
+    const GmshFile mesh(file);
+    double length = 0.;
+    for (const auto &edge : mesh.edges_of_curve("walls"))
+      length += edge[0].distance(edge[1]);
+    check("gmsh " + format + ": length of the walls", length - 0.9, 1e-12);
+    check("gmsh " + format + ": nodes of the fluid", mesh.nodes_of_surface("fluid").size() > 50);
+    check_throws<InputError>("gmsh " + format + ": unknown group",
+                             {file, "'roof'", "'floor'", "'left wall'", "'walls'"},
+                             [&]() { mesh.edges_of_curve("roof"); });
+    check_throws<InputError>("gmsh " + format + ": a curve is no surface", {"'floor'", "'fluid'"},
+                             [&]() { mesh.nodes_of_surface("floor"); });
+
+    // A truncated file is refused wherever it ends.
+    std::ifstream in(file);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    bool refused = true;
+    for (unsigned int k = 1; k < 20; ++k)
+    {
+      std::ofstream("truncated.msh") << text.substr(0, (text.size() - 20) * k / 20);
+      try
+      {
+        GmshFile truncated("truncated.msh");
+        refused = false;
+      }
+      catch (const InputError &error)
+      {
+        refused = refused && std::string(error.what()).find("truncated.msh:") == 0;
+      }
+    }
+    check("gmsh " + format + ": truncated files are refused with file and line", refused);
+  }
+
+  const Case slip({{"Fluid polygons", "0, 0 : 1, 0 : 1.3, 0.5 : 1, 1 : 0, 1"},
+                   {"Slip walls", "0, 2 : 0, 0 : 1, 0"}},
+                  0.1);
+  check("slip walls carry no particles", slip.cloud.n_particles(ParticleKind::wall) == 0 &&
+                                           slip.walls.facets().size() == 2 && slip.walls.facets()[0].slip);
+  check("a polygon is filled", slip.mesh.volume(slip.cloud) - 1.15, 1e-10);
+  const Case step({{"Fluid boxes", "0, 0 : 1, 1; 2, 0 : 2.5, 0.5"},
+                   {"No-slip walls", "0, 0 : 3, 0; 1, 0 : 1.5, 0 : 1.5, 0.5 : 1, 0.5 : 1, 0"}},
+                  0.1);
+  bool inside = false;
+  for (const Point<2> &p : step.cloud.position)
+    inside = inside || (p[0] > 1. + 1e-12 && p[0] < 1.5 - 1e-12 && p[1] > 1e-12 && p[1] < 0.5 - 1e-12);
+  check("no particle inside a closed wall", !inside);
+  const double step_error = step.mesh.volume(step.cloud) - 1.25;
+  check("two bodies", step_error < 1e-10 && step_error > -0.03);
+  check("a closed wall is closed", step.walls.facets().size() == 5);
+
+  check_error("no fluid", {{"No-slip walls", walls}},
+              {"Geometry/Fluid boxes", "Geometry/Fluid polygons", "Geometry/Fluid groups"});
+  check_error("body below the mesh size", {{"Fluid boxes", "0, 0 : 1, 0.05"}},
+              {"Mesh size", "0.1", "0.05", "Geometry/Fluid boxes", "Allowed"});
+  check_error("fluid over a wall", {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "0.5, -1 : 0.5, 2"}},
+              {"overlaps wall", "Geometry/No-slip walls", "Geometry/Fluid boxes", "0.5"});
+  check_error("fluid inside a closed wall",
+              {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "-1, -1 : 2, -1 : 2, 2 : -1, 2 : -1, -1"}},
+              {"overlaps wall"});
+  check_error("wall inside the fluid",
+              {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0.4, 0.4 : 0.6, 0.6"}},
+              {"overlaps wall", "Geometry/Slip walls"});
+  check_error("overlapping bodies", {{"Fluid boxes", "0, 0 : 1, 1; 0.5, 0.5 : 2, 2"}},
+              {"overlaps fluid body", "number 1", "number 2"});
+  check_error("the same body twice", {{"Fluid boxes", "0, 0 : 1, 1; 0, 0 : 1, 1"}}, {"overlaps fluid body"});
+  check_error("no number", {{"Fluid boxes", "0, 0 : 1, x"}}, {"Geometry/Fluid boxes", "1, x", "x, y : x, y"});
+  check_error("three corners of a box", {{"Fluid boxes", "0, 0 : 1, 1 : 2, 2"}},
+              {"Geometry/Fluid boxes", "two opposite corners"});
+  check_error("bow tie", {{"Fluid polygons", "0, 0 : 1, 1 : 1, 0 : 0, 1"}},
+              {"Geometry/Fluid polygons", "do not meet"});
+  check_error("wall of one point", {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0, 0"}},
+              {"Geometry/Slip walls", "two different points"});
+  check_error("groups without a file", {{"Fluid groups", "fluid"}}, {"Geometry/Mesh file", "gmsh"});
+  check_error("missing file", {{"Mesh file", "missing.msh"}, {"Fluid groups", "fluid"}},
+              {"missing.msh", "does not exist"});
+  check_error("directory for a file", {{"Mesh file", "/"}, {"Fluid groups", "fluid"}}, {"'/'", "directory"});
+  return n_failed;
+}

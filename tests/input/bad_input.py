@@ -1,0 +1,289 @@
+#!/usr/bin/python3
+"""Test the program `lahar` from outside, each run in a directory of its own.
+
+refused:  wrong input ends with status 2; the message names the parameter by its path, the value found and what is
+          allowed; it shows no C++ or deal.II frame, and nothing is left behind.
+printed:  --help, --version, --print-parameters, --check end with status 0.
+computed: a small run leaves complete, readable files; so does one that fails, with status 1.
+
+Usage: bad_input.py refused|printed|computed LAHAR MESH_FILE
+"""
+import glob
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+LAHAR, MESH = [os.path.abspath(path) for path in sys.argv[2:4]]
+
+GOOD = """
+set Output directory = out
+set End time         = 4e-3
+set Time step        = 1e-3
+set Mesh size        = 0.03
+set Output interval  = 2e-3
+subsection Geometry
+  set Fluid boxes   = 0, 0 : 0.146, 0.292
+  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
+end
+"""
+
+COLUMNS = ["Time step number", "Time (s)", "Time step size (s)", "Nonlinear iterations", "Velocity increment",
+           "Pressure increment", "Linear iterations", "Fluid cells", "Solid cells", "Fluid particles",
+           "Fluid volume (m^dim)", "Volume change by solver", "Volume change by remeshing", "Remeshed",
+           "Kinetic energy (J)", "Wall time (s)"]
+
+FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Aborting", "exception", "Exception",
+          "std::", "Lahar::", "dealii::", "Backtrace", "Segmentation", "parameter_handler.cc"]
+
+n_failed = 0
+
+
+def check(what, condition, *details):
+    global n_failed
+    print(("ok: " if condition else "FAILED: ") + what)
+    if not condition:
+        n_failed += 1
+        for detail in details:
+            print("    " + str(detail).replace("\n", "\n    "))
+
+
+def run(directory, *arguments, text=GOOD):
+    if text is not None:
+        with open(os.path.join(directory, "case.prm"), "w") as file:
+            file.write(text)
+    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
+    try:
+        return subprocess.run([LAHAR, *arguments], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300, text=True)
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(arguments, 124, "", "no end within 300 s")
+
+
+def refused(what, parts, *arguments, text=GOOD, case="case.prm", prepare=None):
+    """The run must end with status 2, a message that holds all parts, and leave nothing."""
+    with tempfile.TemporaryDirectory() as directory:
+        if prepare:
+            prepare(directory)
+        before = sorted(os.listdir(directory) + (["case.prm"] if text is not None else []))
+        result = run(directory, *([case] if case else []), *arguments, text=text)
+        after = sorted(os.listdir(directory))
+        message = result.stderr
+        check(what + ": status 2", result.returncode == 2, result.returncode, message)
+        missing = [part for part in parts if part not in message]
+        check(what + ": message", message.strip() and not missing, "missing: %s" % missing, message)
+        frames = [frame for frame in FRAMES if frame in message + result.stdout]
+        check(what + ": no frame", not frames and message.count("\n") <= 6, frames, message)
+        check(what + ": nothing left behind", before == after, after)
+
+
+def set_entry(entry, value):
+    return ["--set", "%s=%s" % (entry, value)]
+
+
+def wrong(entry, value, *parts, more=()):
+    """A wrong value of one entry, given by --set, must be named by its path."""
+    refused("%s = %s" % (entry, value), ["'%s'" % entry, value, "llowed", *parts], *set_entry(entry, value), *more)
+
+
+def test_refused():
+    for entry, value in [("Dimension", "3"), ("Dimension", "two"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
+                         ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
+                         ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),
+                         ("Output interval", "-1"), ("Gravity", "0"), ("Gravity", "0, down"), ("Gravity", "0, 0, -9.81"),
+                         ("Initial velocity", "1"), ("Initial velocity", "1; q"), ("Initial velocity", "1; (x"),
+                         ("Fluid/Bingham/Density", "-1000"), ("Fluid/Bingham/Density", "0"),
+                         ("Fluid/Bingham/Plastic viscosity", "-1"), ("Fluid/Bingham/Plastic viscosity", "thick"),
+                         ("Fluid/Bingham/Yield stress", "-1"), ("Fluid/Bingham/Regularization parameter", "0"),
+                         ("Fluid/Bingham/Bulk modulus", "-1"), ("Fluid/Bingham/Bulk modulus", "soft"),
+                         ("Remeshing/Alpha shape/Alpha", "0.9"), ("Remeshing/Alpha shape/Alpha", "1,25"),
+                         ("Remeshing/Alpha shape/Alpha inside", "1"), ("Remeshing/Particle spacing/Shortest edge", "1"),
+                         ("Nonlinear solver/Tolerance", "0"), ("Nonlinear solver/Maximum iterations", "0"),
+                         ("Nonlinear solver/Maximum iterations", "2.5"), ("Stabilization/Viscosity limit", "-1")]:
+        wrong(entry, value)
+    wrong("End time", "1", "Start time", more=set_entry("Start time", "2"))
+
+    # A misspelt model: the valid names are listed.
+    wrong("Fluid/Law", "Binghamm", "Bingham", "Newtonian")
+    wrong("Nonlinear solver/Scheme", "coupling", "coupled", "segregated")
+    wrong("Nonlinear solver/Viscosity linearization", "quasi", "picard", "newton", "primal-dual")
+    wrong("Stabilization/Form", "fic", "FIC", "residual")
+    wrong("Remeshing/Alpha shape/Rule", "alpha", "plain", "advected")
+    wrong("Linear solver/Type", "magic", "direct")
+    wrong("Linear solver/Direct/Package", "Pardiso", "MUMPS", "KLU")
+    wrong("Time integration", "RK4", "Newmark", "backward Euler")
+
+    # Geometry.
+    wrong("Geometry/Fluid boxes", "0, 0 : 1, one", "x, y : x, y")
+    wrong("Geometry/Fluid boxes", "0, 0 : 1", "x, y : x, y")
+    wrong("Geometry/Fluid boxes", "0, 0 : 0, 1", "opposite corners")
+    wrong("Geometry/Fluid polygons", "0, 0 : 1, 1 : 1, 0 : 0, 1", "three corners")
+    wrong("Geometry/No-slip walls", "0, 0", "two different points")
+    refused("empty fluid", ["Geometry/Fluid boxes", "empty"], *set_entry("Geometry/Fluid boxes", ""))
+    refused("mesh size above the body", ["'Mesh size'", "0.2", "0.146", "Allowed"], *set_entry("Mesh size", "0.2"))
+    refused("fluid over a wall", ["overlap", "Geometry/No-slip walls", "Geometry/Fluid boxes"],
+            *set_entry("Geometry/No-slip walls", "0.05, -1 : 0.05, 1"))
+    refused("overlapping bodies", ["overlap", "Geometry/Fluid boxes"],
+            *set_entry("Geometry/Fluid boxes", "0, 0 : 0.2, 0.2; 0.1, 0.1 : 0.3, 0.3"))
+    refused("missing gmsh file", ["nowhere.msh", "does not exist"], *set_entry("Geometry/Mesh file", "nowhere.msh"))
+    refused("unknown gmsh group", ["'roof'", "'floor'", "'left wall'"], *set_entry("Geometry/Mesh file", MESH),
+            *set_entry("Geometry/No-slip wall groups", "roof"))
+    refused("unknown fluid group", ["'water'", "'fluid'"], *set_entry("Geometry/Mesh file", MESH),
+            *set_entry("Geometry/Fluid groups", "water"))
+    wrong("Geometry/Mesh file", "", "groups", more=set_entry("Geometry/Fluid groups", "fluid"))
+    refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *set_entry("Geometry/Mesh file", "case.prm"))
+
+    # The parameter file.
+    refused("unknown entry", ["case.prm", "Density of states"], text=GOOD + "set Density of states = 1\n")
+    refused("unknown subsection", ["case.prm", "Fluids"], text=GOOD + "subsection Fluids\nend\n")
+    refused("open subsection", ["case.prm"], text=GOOD + "subsection Fluid\n")
+    refused("a line of nonsense", ["case.prm", "density 1000"], text=GOOD + "density 1000\n")
+    refused("a wrong value in the file", ["'Fluid/Bingham/Density'", "heavy", "llowed"],
+            text=GOOD + "subsection Fluid\nsubsection Bingham\nset Density = heavy\nend\nend\n")
+    refused("empty parameter file", ["Geometry/Fluid boxes"], text="")
+    refused("missing parameter file", ["missing.prm"], text=None, case="missing.prm")
+    refused("a directory as parameter file", ["'.'"], text=None, case=".")
+    if os.geteuid() != 0:
+        def make_unreadable(directory):
+            with open(os.path.join(directory, "secret.prm"), "w") as file:
+                file.write(GOOD)
+            os.chmod(os.path.join(directory, "secret.prm"), 0)
+        refused("unreadable parameter file", ["secret.prm"], text=None, case="secret.prm", prepare=make_unreadable)
+
+    # The command line.
+    refused("no case", ["--help"], case=None)
+    refused("two cases", ["2", "--help"], "other.prm")
+    refused("unknown option", ["--fast"], "--fast")
+    refused("--set of an unknown entry", ["Fluid/Densities", "--print-parameters"], *set_entry("Fluid/Densities", "1"))
+    refused("--set in an unknown subsection", ["Liquid/Density"], *set_entry("Liquid/Density", "1"))
+    refused("--set without a value", ["Time step", "Section/Subsection/Entry=value"], "--set", "Time step")
+    refused("--set of nothing", ["Section/Subsection/Entry=value"], "--set", "=1")
+    refused("--set without argument", ["set"], "--set")
+    refused("unknown format", ["xml", "prm, json, latex"], "--print-parameters", "xml")
+
+    # A path below a regular file cannot be created, whoever asks.
+    wrong("Output directory", "case.prm/out")
+    wrong("Output directory", "")
+
+
+def test_printed():
+    with tempfile.TemporaryDirectory() as directory:
+        result = run(directory, "--help", text=None)
+        check("--help", result.returncode == 0 and all(option in result.stdout for option in
+                                                       ["--set", "--check", "--print-parameters", "--version"]), result)
+        result = run(directory, "--version", text=None)
+        check("--version", result.returncode == 0 and re.search(r"lahar \d+\.\d+\.\d+", result.stdout), result)
+
+        result = run(directory, "--print-parameters", "json", text=None)
+        check("--print-parameters json", result.returncode == 0, result.stderr)
+        tree = json.loads(result.stdout)
+        undocumented = []
+
+        def visit(node, path):
+            if isinstance(node, dict) and "value" in node and "documentation" in node:
+                if not node["documentation"].strip():
+                    undocumented.append(path)
+            elif node != "":  # a subsection without entries is an empty text
+                for name, child in node.items():
+                    visit(child, path + "/" + name)
+        visit(tree, "")
+        check("every entry is documented", not undocumented, undocumented)
+        result = run(directory, "--print-parameters", "latex", text=None)
+        check("--print-parameters latex", result.returncode == 0 and "\\subsection" in result.stdout, result.stderr)
+        result = run(directory, "--print-parameters", "prm", text=None)
+        check("--print-parameters prm", result.returncode == 0 and "set Mesh size" in result.stdout, result.stderr)
+        check("nothing written", os.listdir(directory) == [])
+
+        # The printed parameters are a parameter file.
+        result = run(directory, "case.prm", *set_entry("Geometry/Fluid boxes", "0, 0 : 0.1, 0.1"), "--check",
+                     text=result.stdout)
+        check("printed parameters can be read", result.returncode == 0, result.stderr)
+        result = run(directory, "case.prm", "--check")
+        check("--check", result.returncode == 0 and "Fluid cells" in result.stdout, result)
+        check("--check writes nothing", os.listdir(directory) == ["case.prm"])
+
+
+def read_statistics(path):
+    columns, rows = [], []
+    with open(path) as file:
+        for line in file:
+            if line.startswith("#"):
+                columns.append(line.split(":", 1)[1].strip())
+            elif line.strip():
+                rows.append([float(word) for word in line.split()])
+    return columns, rows
+
+
+def check_output(name, out):
+    """Everything in an output directory is complete and readable. Return columns and rows of the statistics."""
+    files = set(os.listdir(out))
+    check(name + ": files", {"parameters.prm", "statistics", "solution.pvd", "log"} <= files, files)
+    check(name + ": no half-written files", not [f for f in files if f.endswith(".part") or f.endswith(".tmp")], files)
+    entries = ElementTree.parse(os.path.join(out, "solution.pvd")).getroot().findall(".//DataSet")
+    names = [entry.attrib["file"] for entry in entries]
+    check(name + ": solution.pvd lists the .vtu files",
+          names and sorted(names) == sorted(os.path.basename(p) for p in glob.glob(out + "/*.vtu")), names)
+    for file in names:
+        ElementTree.parse(os.path.join(out, file))
+    with open(os.path.join(out, "log")) as file:
+        check(name + ": log", "Fluid cells" in file.read())
+    if "statistics" not in files:
+        return [], []
+    columns, rows = read_statistics(os.path.join(out, "statistics"))
+    missing = [column for column in COLUMNS if rows and column not in columns]
+    check(name + ": columns of the statistics", not missing, missing, columns)
+    check(name + ": every row is complete", all(len(row) == len(columns) for row in rows))
+    return columns, rows
+
+
+def test_computed():
+    with tempfile.TemporaryDirectory() as directory:
+        out = os.path.join(directory, "out")
+        result = run(directory, "case.prm")
+        check("a small run: status 0", result.returncode == 0, result.stdout, result.stderr)
+        columns, rows = check_output("a small run", out)
+        time = columns.index("Time (s)")
+        check("a small run: one row a step", [row[0] for row in rows] == [1, 2, 3, 4], rows)
+        check("a small run: ends at the end time", abs(rows[-1][time] - 4e-3) < 1e-12, rows[-1])
+        check("a small run: snapshots at the interval", len(glob.glob(out + "/solution-*.vtu")) == 3)
+        names = ["Volume change by solver", "Volume change by remeshing"]
+        check("a small run: volume is kept", all(abs(rows[-1][columns.index(name)]) < 1e-3 for name in names), rows[-1])
+        check("a small run: the fluid falls", rows[-1][columns.index("Kinetic energy (J)")] > 1e-4, rows[-1])
+
+        # parameters.prm repeats the run.
+        again = run(directory, "out/parameters.prm", *set_entry("Output directory", "again"))
+        check("parameters.prm repeats the run", again.returncode == 0, again.stderr)
+        repeated = read_statistics(os.path.join(directory, "again", "statistics"))[1]
+        wall_time = columns.index("Wall time (s)")
+        same = all(abs(a - b) <= 1e-6 * abs(a) + 1e-12 for x, y in zip(rows, repeated)
+                   for k, (a, b) in enumerate(zip(x, y))
+                   if k != wall_time and columns[k] not in ("Velocity increment", "Pressure increment") and
+                   "residual" not in columns[k])
+        check("and gives the same numbers", same and len(repeated) == len(rows))
+
+    with tempfile.TemporaryDirectory() as directory:
+        out = os.path.join(directory, "out")
+        result = run(directory, "case.prm", *set_entry("End time", "20"), *set_entry("Time step", "10"),
+                     *set_entry("Minimum time step", "10"), *set_entry("Output interval", "0"))
+        check("a run that diverges: status 1", result.returncode == 1, result.returncode, result.stderr)
+        check("a run that diverges: time and iteration", all(part in result.stderr for part in ["Time 10 s", "iteration"]),
+              result.stderr)
+        check("a run that diverges: no frame", not [frame for frame in FRAMES if frame in result.stderr], result.stderr)
+        columns, rows = check_output("a run that diverges", out)
+
+    with tempfile.TemporaryDirectory() as directory:
+        out = os.path.join(directory, "out")
+        result = run(directory, "case.prm", *set_entry("Nonlinear solver/Maximum iterations", "1"),
+                     *set_entry("Nonlinear solver/Tolerance", "1e-12"))
+        check("too few iterations: status 1", result.returncode == 1, result.returncode, result.stderr)
+        check("too few iterations: message", all(part in result.stderr for part in ["Time ", "iteration 1", "1e-12"]),
+              result.stderr)
+        check_output("too few iterations", out)
+
+
+{"refused": test_refused, "printed": test_printed, "computed": test_computed}[sys.argv[1]]()
+print("%d failed" % n_failed)
+sys.exit(n_failed > 0)

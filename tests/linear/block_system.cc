@@ -1,0 +1,237 @@
+// Test the block system against a dense assembly with fixed and skew nodes, and the solutions of the linear solvers
+// against LAPACK, with a fresh and with a reused factorisation.
+
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <lahar/linear/direct_solver.h>
+#include <lahar/remeshing/delaunay.h>
+
+#include "tests.h"
+
+using namespace Tests;
+
+/// Node and component of the unknowns as the block system numbers them: velocities first.
+template <int dim>
+unsigned int index(const unsigned int n_nodes, const unsigned int node, const unsigned int component)
+{
+  return component < dim ? dim * node + component : dim * n_nodes + node;
+}
+
+/// Random cell systems, diagonally dominant so that the sum is regular; the same for the same seed.
+template <int dim>
+struct Example
+{
+  static constexpr unsigned int n_local = (dim + 1) * (dim + 1);
+  using Matrix                          = std::array<std::array<double, n_local>, n_local>;
+
+  std::vector<Simplex<dim>> cells;
+  std::vector<NodeConstraint<dim>> constraints;
+  std::vector<Matrix> matrices;
+  std::vector<std::array<double, n_local>> residuals;
+  unsigned int n_nodes = 0;
+
+  explicit Example(Random &random)
+  {
+    std::vector<Point<dim>> points;
+    for (unsigned int i = 0; i < 12 * dim; ++i)
+      points.push_back(Point<dim>(random.vector<dim>()));
+    n_nodes = points.size();
+    cells   = delaunay(points);
+    matrices.resize(cells.size());
+    residuals.resize(cells.size());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int i = 0; i < n_local; ++i)
+      {
+        residuals[c][i] = random.number();
+        for (unsigned int j = 0; j < n_local; ++j)
+          matrices[c][i][j] = random.number() + (i == j ? 6. : 0.);
+      }
+
+    constraints.resize(n_nodes);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      constraints[i].n_fixed = i % (dim + 2) <= dim ? i % (dim + 2) : 0;
+      if (constraints[i].n_fixed > 0 && constraints[i].n_fixed < dim)
+      {
+        // An orthonormal frame by Gram-Schmidt.
+        for (unsigned int a = 0; a < dim; ++a)
+        {
+          Tensor<1, dim> row = random.vector<dim>();
+          for (unsigned int b = 0; b < a; ++b)
+            row -= (row * constraints[i].frame[b]) * constraints[i].frame[b];
+          constraints[i].frame[a] = row / row.norm();
+        }
+      }
+    }
+  }
+
+  void add_to(BlockSystem<dim> &system) const
+  {
+    system.set_zero();
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      system.add(c, matrices[c], residuals[c]);
+  }
+};
+
+template <int dim>
+double difference(const typename BlockSystem<dim>::Vector &solution, const Vector<double> &reference)
+{
+  double error = 0.;
+  for (unsigned int i = 0; i < reference.size(); ++i)
+    error = std::max(error, std::abs(solution(i) - reference[i]));
+  return error;
+}
+
+template <int dim>
+void test()
+{
+  const std::string name = Utilities::int_to_string(dim) + "D ";
+  Random random;
+  const Example<dim> example(random);
+  const unsigned int n = (dim + 1) * example.n_nodes;
+
+  // Dense: sum up without constraints, turn into the frames, strike out what is fixed.
+  FullMatrix<double> A(n), T(n), TA(n), B(n);
+  Vector<double> residual(n), rhs(n);
+  std::vector<Tensor<1, dim>> momentum(example.n_nodes);
+  for (unsigned int c = 0; c < example.cells.size(); ++c)
+    for (unsigned int i = 0; i < example.n_local; ++i)
+    {
+      const unsigned int row = index<dim>(example.n_nodes, example.cells[c][i / (dim + 1)], i % (dim + 1));
+      residual[row] += example.residuals[c][i];
+      if (i % (dim + 1) < dim)
+        momentum[example.cells[c][i / (dim + 1)]][i % (dim + 1)] += example.residuals[c][i];
+      for (unsigned int j = 0; j < example.n_local; ++j)
+        A(row, index<dim>(example.n_nodes, example.cells[c][j / (dim + 1)],
+                          j % (dim + 1))) += example.matrices[c][i][j];
+    }
+  std::vector<bool> fixed(n, false);
+  for (unsigned int v = 0; v < example.n_nodes; ++v)
+  {
+    const NodeConstraint<dim> &constraint = example.constraints[v];
+    const bool skew                       = constraint.n_fixed > 0 && constraint.n_fixed < dim;
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = 0; b < dim; ++b)
+        T(dim * v + a, dim * v + b) = skew ? constraint.frame[a][b] : (a == b);
+    T(dim * example.n_nodes + v, dim * example.n_nodes + v) = 1.;
+    for (unsigned int a = 0; a < constraint.n_fixed; ++a)
+      fixed[dim * v + a] = true;
+  }
+  T.mmult(TA, A);
+  TA.mTmult(B, T);
+  T.vmult(rhs, residual);
+  rhs *= -1.;
+  for (unsigned int i = 0; i < n; ++i)
+    if (fixed[i])
+    {
+      rhs[i] = 0.;
+      for (unsigned int j = 0; j < n; ++j)
+        B(i, j) = B(j, i) = 0.;
+    }
+
+  BlockSystem<dim> system(MPI_COMM_WORLD);
+  system.reinit(example.n_nodes, example.cells);
+  system.set_constraints(example.constraints);
+  for (unsigned int repetition = 0; repetition < 2; ++repetition)
+  {
+    example.add_to(system);
+    double error = 0., rhs_error = 0., momentum_error = 0., diagonal = 1e10;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      rhs_error = std::max(rhs_error, std::abs(system.right_hand_side()(i) - rhs[i]));
+      for (unsigned int j = 0; j < n; ++j)
+      {
+        const unsigned int n_v = dim * example.n_nodes;
+        const double entry =
+          system.matrix().block(i >= n_v, j >= n_v).el(i >= n_v ? i - n_v : i, j >= n_v ? j - n_v : j);
+        if (i == j && fixed[i])
+        {
+          diagonal = std::min(diagonal, entry);
+          B(i, i)  = entry;
+        }
+        else
+          error = std::max(error, std::abs(entry - B(i, j)));
+      }
+    }
+    for (unsigned int v = 0; v < example.n_nodes; ++v)
+      momentum_error = std::max(momentum_error, (system.momentum_residual()[v] - momentum[v]).norm());
+    check(name + "matrix equals the dense one", error, 1e-12);
+    check(name + "right-hand side equals the dense one", rhs_error, 1e-13);
+    check(name + "momentum residual is that without constraints", momentum_error, 1e-13);
+    check(name + "fixed unknowns have a positive diagonal", diagonal > 0.);
+  }
+
+  LAPACKFullMatrix<double> dense(n, n);
+  dense = B;
+  dense.compute_lu_factorization();
+  Vector<double> reference = rhs;
+  dense.solve(reference);
+
+  for (const std::string package : {"MUMPS", "KLU"})
+  {
+    DirectSolver<dim> solver;
+    parse(solver, "subsection Direct\n set Package = " + package + "\n set Tolerance = 1e-10\nend\n");
+    auto solution = system.make_vector();
+    example.add_to(system);
+    check(name + package + ": one iteration", solver.solve(system, 1., 1., solution) == 1);
+    check(name + package + ": solution equals LAPACK's", difference<dim>(solution, reference), 1e-11);
+
+    Tensor<1, dim> first;
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = 0; b < dim; ++b)
+        first[b] += T(a + dim, b + dim) * reference[a + dim];
+    check(name + package + ": velocity is turned back", (system.velocity(solution, 1) - first).norm(), 1e-11);
+    check(name + package + ": pressure", system.pressure(solution, 2) - reference[dim * example.n_nodes + 2],
+          1e-11);
+
+    // A slightly different matrix: the old factorisation preconditions GMRES.
+    Example<dim> changed(example);
+    for (auto &matrix : changed.matrices)
+      for (auto &row : matrix)
+        for (double &entry : row)
+          entry *= 1. + 1e-3 * random.number();
+    changed.add_to(system);
+    const unsigned int n_iterations = solver.solve(system, 10., 0.1, solution);
+    auto remainder                  = system.make_vector();
+    system.matrix().vmult(remainder, solution);
+    remainder -= system.right_hand_side();
+    check(name + package + ": reused factorisation needs few iterations",
+          n_iterations > 1 && n_iterations <= 12);
+    check(name + package + ": and solves the new system", remainder.linfty_norm(), 1e-7);
+
+    // A very different one: factorised anew.
+    for (auto &matrix : changed.matrices)
+      for (auto &row : matrix)
+        for (double &entry : row)
+          entry *= 1. + 0.9 * random.number();
+    changed.add_to(system);
+    solver.solve(system, 1., 1., solution);
+    system.matrix().vmult(remainder, solution);
+    remainder -= system.right_hand_side();
+    check(name + package + ": a different matrix", remainder.linfty_norm(), 1e-7);
+
+    example.add_to(system);
+    for (unsigned int b = 0; b < 2; ++b)
+      for (unsigned int repetition = 0; repetition < 2; ++repetition)
+      {
+        solution              = 0.;
+        solution.block(1 - b) = 17.;
+        solver.solve_block(system, b, solution);
+        system.matrix().block(b, b).vmult(remainder.block(b), solution.block(b));
+        remainder.block(b) -= system.right_hand_side().block(b);
+        check(name + package + ": one block alone", remainder.block(b).linfty_norm(), 1e-11);
+        check(name + package + ": the other stays as it is", solution.block(1 - b).mean_value() - 17., 1e-12);
+      }
+  }
+}
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test<2>();
+  test<3>();
+  return n_failed;
+}

@@ -1,0 +1,89 @@
+// Test the particle cloud: append, append_midpoint and remove keep all arrays consistent.
+
+#include <deal.II/base/numbers.h>
+
+#include <lahar/particles/particle_cloud.h>
+
+#include "tests.h"
+
+using namespace Tests;
+
+template <int dim>
+void test()
+{
+  ParticleCloud<dim> cloud;
+  const auto is_consistent = [&]() {
+    const std::size_t n = cloud.size();
+    return cloud.velocity.size() == n && cloud.acceleration.size() == n && cloud.pressure.size() == n &&
+           cloud.pressure_rate.size() == n && cloud.kind.size() == n && cloud.spacing.size() == n &&
+           cloud.slip_facets.size() == n;
+  };
+
+  Random random;
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    const unsigned int index = cloud.append(Point<dim>(random.vector<dim>()),
+                                            i < 2 ? ParticleKind::wall : ParticleKind::fluid, 0.1 * (i + 1));
+    AssertThrow(index == i, ExcInternalError());
+    check("a new particle is at rest, without pressure and contact",
+          cloud.velocity[i].norm() == 0. && cloud.acceleration[i].norm() == 0. && cloud.pressure[i] == 0. &&
+            cloud.pressure_rate[i] == 0. && !cloud.on_slip_wall(i));
+    cloud.velocity[i]      = random.vector<dim>();
+    cloud.acceleration[i]  = random.vector<dim>();
+    cloud.pressure[i]      = random.number();
+    cloud.pressure_rate[i] = random.number();
+  }
+  check("numbers of each kind", cloud.n_particles(ParticleKind::wall) == 2 &&
+                                  cloud.n_particles(ParticleKind::fluid) == 4 &&
+                                  cloud.n_particles(ParticleKind::solid) == 0);
+
+  // Both slide on facet 7, each on one more.
+  cloud.slip_facets[2][0] = 4;
+  cloud.slip_facets[2][1] = 7;
+  cloud.slip_facets[5][0] = 7;
+  cloud.slip_facets[5][1] = 9;
+  const unsigned int m    = cloud.append_midpoint(2, 5);
+  const double error =
+    (cloud.position[m] - cloud.position[2] - 0.5 * (cloud.position[5] - cloud.position[2])).norm() +
+    (cloud.velocity[m] - 0.5 * (cloud.velocity[2] + cloud.velocity[5])).norm() +
+    (cloud.acceleration[m] - 0.5 * (cloud.acceleration[2] + cloud.acceleration[5])).norm() +
+    std::abs(cloud.pressure[m] - 0.5 * (cloud.pressure[2] + cloud.pressure[5])) +
+    std::abs(cloud.pressure_rate[m] - 0.5 * (cloud.pressure_rate[2] + cloud.pressure_rate[5])) +
+    std::abs(cloud.spacing[m] - 0.45);
+  check("a particle in the middle has the mean state", error, 1e-15);
+  check("it is fluid and slides on the shared facet alone",
+        cloud.kind[m] == ParticleKind::fluid && cloud.slip_facets[m][0] == 7 &&
+          cloud.slip_facets[m][1] == ParticleCloud<dim>::no_facet && cloud.on_slip_wall(m));
+  const unsigned int at_wall = cloud.append_midpoint(0, 1);
+  check("between wall particles: fluid as well", cloud.kind[at_wall] == ParticleKind::fluid && at_wall == 7);
+  check("arrays have one length", is_consistent());
+
+  const ParticleCloud<dim> before = cloud;
+  const std::vector<bool> removed = {false, true, false, true, true, false, false, true};
+  const auto new_index            = cloud.remove(removed);
+  bool kept_order = true, same = true;
+  unsigned int n = 0;
+  for (unsigned int i = 0; i < removed.size(); ++i)
+  {
+    kept_order = kept_order && new_index[i] == (removed[i] ? numbers::invalid_unsigned_int : n++);
+    if (!removed[i])
+    {
+      const unsigned int k = new_index[i];
+      same = same && cloud.position[k] == before.position[i] && cloud.velocity[k] == before.velocity[i] &&
+             cloud.acceleration[k] == before.acceleration[i] && cloud.pressure[k] == before.pressure[i] &&
+             cloud.pressure_rate[k] == before.pressure_rate[i] && cloud.kind[k] == before.kind[i] &&
+             cloud.spacing[k] == before.spacing[i] && cloud.slip_facets[k] == before.slip_facets[i];
+    }
+  }
+  check("remove keeps the order of the others", kept_order && cloud.size() == 4);
+  check("remove keeps their state", same && is_consistent());
+  cloud.remove(std::vector<bool>(4, true));
+  check("remove all", cloud.size() == 0 && is_consistent());
+}
+
+int main()
+{
+  test<2>();
+  test<3>();
+  return n_failed;
+}

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Draw the figures of doc/benchmarks/verification.md from the runs of the checks: draw_figures.py RUNS DIRECTORY"""
+
+import pathlib
+import sys
+
+import numpy as np
+
+from verification import read_reference, read_run
+
+from figure_style import INK, WIDTH, plt, save, use_style
+from lahar_output import OutputError, read_pvd, read_vtu
+
+
+YIELD_NUMBER = 0.2
+EXACT_FRONT = (9. / (8. * YIELD_NUMBER))**(1. / 3.)
+
+
+def draw_hydrostatic_column(runs):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 3.), layout="constrained")
+    names = ("newtonian_no_slip", "newtonian_slip", "bingham_no_slip", "bingham_slip")
+    for name, marker in zip(names, "os^d"):
+        statistics = read_run(runs / name)
+        mesh = read_vtu(read_pvd(runs / name / "solution.pvd")[-1][1])
+        label = name.replace("_", " ", 1).replace("newtonian", "Newtonian").replace("bingham", "Bingham").replace("_", "-")
+        left.plot(mesh.at_points("pressure"), mesh.points[:, 1], marker, markersize=3, fillstyle="none", label=label)
+        error = abs(statistics["b pressure (Pa)"] + 9810. * 0.15) / 1962.
+        right.semilogy(1e3 * statistics["Time (s)"], np.maximum(error, 1e-17), marker + "-", markersize=3, label=label)
+    left.plot([-1962., 0.], [0., 0.2], color=INK, linewidth=0.8, label="exact")
+    left.set(xlabel="pressure (Pa), negative in compression", ylabel="$y$ (m)")
+    left.legend()
+    right.axhline(1e-8, color=INK, linewidth=0.8, linestyle=":")
+    right.set(xlabel="$t$ (ms)", ylabel="error of $p(0.05\\,\\mathrm{m})$ over $\\rho g H$")
+    return figure
+
+
+def draw_viscous_sloshing(runs):
+    figure, axes = plt.subplots(figsize=(WIDTH, 2.8), layout="constrained")
+    statistics = read_run(runs / "viscous_sloshing")
+    exact = read_reference("viscous_sloshing/viscous_sloshing_prosperetti.csv")
+    shown = exact["t"] <= statistics["Time (s)"][-1]
+    axes.plot(exact["t"][shown], exact["a"][shown], color=INK, linewidth=1., label="Prosperetti, left wall")
+    axes.plot(exact["t"][shown], -exact["a"][shown], color=INK, linewidth=1., linestyle=":", label="right wall")
+    axes.plot(statistics["Time (s)"], statistics["height (m)"] - 1., label="Lahar, highest point of the surface")
+    axes.set(xlabel="$t$ (s)", ylabel="elevation (m)")
+    axes.legend(loc="upper right")
+    return figure
+
+
+def draw_elliptic_drop(runs):
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(WIDTH, 3.), layout="constrained",
+                                                 gridspec_kw={"width_ratios": [1.2, 1.2, 1.]})
+    statistics = read_run(runs / "elliptic_drop")
+    exact = read_reference("elliptic_drop/evolving_elliptic_drop.csv")
+    shown = exact["t"] < 8e-3
+    time = 1e3 * statistics["Time (s)"]
+    left.plot(time, 0.5 * (statistics["top (m)"] - statistics["bottom (m)"]), label="$b$")
+    left.plot(time, 0.5 * (statistics["right (m)"] - statistics["left (m)"]), label="$a$")
+    for name in ("b_y", "a_x"):
+        left.plot(1e3 * exact["t"][shown], exact[name][shown], "o", color=INK, markersize=4, fillstyle="none",
+                  label="exact" if name == "b_y" else None)
+    left.set(xlabel="$t$ (ms)", ylabel="semi-axis (m)")
+    left.legend()
+    energy = statistics["Kinetic energy (J)"]
+    middle.plot(time, 100. * (energy / energy[0] - 1.), label="energy")
+    middle.plot(time, 100. * statistics["Volume change by remeshing"], label="volume, remeshing")
+    middle.plot(time, 100. * statistics["Volume change by solver"], label="volume, solver")
+    middle.set(xlabel="$t$ (ms)", ylabel="change (%)")
+    middle.legend()
+    mesh = read_vtu(read_pvd(runs / "elliptic_drop" / "solution.pvd")[-1][1])
+    right.triplot(*mesh.points.T, mesh.triangles, linewidth=0.3)
+    angle = np.linspace(0., 2. * np.pi, 200)
+    row = int(np.argmin(abs(exact["t"] - 7.6e-3)))
+    right.plot(exact["a_x"][row] * np.cos(angle), exact["b_y"][row] * np.sin(angle), color="#D55E00", linewidth=1.)
+    right.set(aspect="equal", title="7.6 ms, exact outline", xlabel="$x$ (m)", ylabel="$y$ (m)")
+    return figure
+
+
+def draw_column_collapse(runs):
+    figure, axes = plt.subplots(figsize=(0.6 * WIDTH, 3.), layout="constrained")
+    statistics = read_run(runs / "column_collapse")
+    measured = read_reference("column_collapse/martin_moyce_1952_front.csv")
+    time = statistics["Time (s)"] * np.sqrt(2. * 9.81 / 0.05715)
+    for shift, style in ((0., ":"), (0.28, "-")):
+        axes.plot(time + shift, statistics["front (m)"] / 0.05715, style, color="#0072B2", label=f"Lahar, shifted by {shift:g}")
+    axes.plot(measured["T"], measured["Z"], "o", color=INK, markersize=4, fillstyle="none", label="Martin & Moyce")
+    axes.set(xlabel="$T = t\\,(2 g/a)^{1/2}$", ylabel="$Z = x/a$", xlim=(0., 3.1), ylim=(0.9, 4.2))
+    axes.legend()
+    return figure
+
+
+def draw_arrested_dam_break(runs):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.8), layout="constrained",
+                                         gridspec_kw={"width_ratios": [1., 1.6]})
+    statistics = read_run(runs / "arrested_dam_break")
+    left.plot(statistics["Time (s)"], statistics["front (m)"])
+    left.axhline(EXACT_FRONT, color=INK, linewidth=0.8, linestyle="--")
+    left.set(xlabel="$t$ (s)", ylabel="front (m)")
+    mesh = read_vtu(read_pvd(runs / "arrested_dam_break" / "solution.pvd")[-1][1])
+    right.triplot(*mesh.points.T, mesh.triangles, linewidth=0.3)
+    x = np.linspace(0., EXACT_FRONT, 300)
+    right.plot(x, 0.1 * np.sqrt(2. * YIELD_NUMBER * (EXACT_FRONT - x)), color="#D55E00", label="lubrication theory")
+    right.set(xlabel="$x$ (m)", ylabel="$y$ (m), enlarged", title=f"$t$ = {statistics['Time (s)'][-1]:.3g} s")
+    right.legend()
+    return figure
+
+
+def draw_free_motion(runs):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.6), layout="constrained")
+    statistics = read_run(runs / "free_fall")
+    time = statistics["Time (s)"]
+    left.plot(time, 1e6 * (0.2 - statistics["height (m)"] - 0.5 * 9.81 * time**2))
+    left.set(xlabel="$t$ (s)", ylabel="error of the fall (µm)", title="free fall", ylim=(0., 40.))
+    statistics = read_run(runs / "spinning_drop")
+    time = statistics["Time (s)"]
+    energy = statistics["Kinetic energy (J)"]
+    right.plot(time, 1e4 * (energy / energy[0] - 1.), label="energy")
+    right.plot(time, 1e4 * statistics["Volume change by solver"], label="volume")
+    right.set(xlabel="$t$ (s)", ylabel="change ($10^{-4}$)", title="spinning drop, one turn")
+    right.legend()
+    return figure
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    use_style()
+    for name, draw in list(globals().items()):
+        if name.startswith("draw_"):
+            runs = pathlib.Path(sys.argv[1])
+            case = name[len("draw_"):]
+            runs = runs / case if (runs / case).is_dir() and not (runs / case / "statistics").exists() else runs
+            try:
+                save(draw(runs), pathlib.Path(sys.argv[2]) / f"verification_{case}.png")
+            except (OutputError, OSError, IndexError) as error:
+                print(f"{case}: no figure: {error}", file=sys.stderr)
+
+
+main()
