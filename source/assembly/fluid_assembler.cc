@@ -16,7 +16,7 @@ namespace Lahar
       "surface), 'FIC interior' (the same without them) or 'residual' (the full momentum residual in "
       "the gradient term; conserves volume).");
     prm.declare_entry(
-      "Viscosity limit", "0.1", Patterns::Double(),
+      "Viscosity limit", "0.1", Patterns::Anything(),
       "Largest viscosity in Pa s that enters the stabilisation parameter, zero or above. The effective "
       "viscosity of a plug would switch the stabilisation off.");
     prm.leave_subsection();

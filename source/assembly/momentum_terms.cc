@@ -74,7 +74,7 @@ namespace Lahar
       const FluidLaw::Value plastic   = cell.law->plastic_part(rate);
       const double viscous_derivative = cell.law->viscous_part(rate).derivative;
       tangent.A                       = cell.deviator;
-      static const double beta        = getenv("BETA") ? atof(getenv("BETA")) : 1.;
+
       tangent.coefficient             = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
       tangent.B = 2. * viscous_derivative / rate * cell.deviator;

@@ -4,8 +4,7 @@
 namespace Lahar
 {
   template <int dim>
-  void move_isolated_particles(const FluidMesh<dim> &mesh, const Walls<dim> &walls,
-                               const Tensor<1, dim> &gravity, const double time_step,
+  void move_isolated_particles(const FluidMesh<dim> &mesh, const Tensor<1, dim> &gravity, const double time_step,
                                ParticleCloud<dim> &cloud)
   {
     std::vector<bool> in_mesh(cloud.size(), false);
@@ -13,40 +12,51 @@ namespace Lahar
       in_mesh[particle] = true;
 
     for (unsigned int i = 0; i < cloud.size(); ++i)
-    {
-      if (in_mesh[i] || cloud.kind[i] != ParticleKind::fluid)
-        continue;
-      SlipCondition<dim>::release(i, cloud);
-      const Point<dim> start = cloud.position[i];
-      cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
-      cloud.velocity[i] += time_step * gravity;
-      cloud.acceleration[i]  = gravity;
-      cloud.pressure[i]      = 0.;
-      cloud.pressure_rate[i] = 0.;
-
-      // Stop in front of the nearest no-slip facet in the way.
-      const Tensor<1, dim> path = cloud.position[i] - start;
-      double fraction           = 1.;
-      for (const unsigned int facet : walls.crossed(start, cloud.position[i], 0.))
-        if (!walls.facets()[facet].slip)
+      if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid)
         {
-          const double before = walls.signed_distance(facet, start);
-          const double after  = walls.signed_distance(facet, cloud.position[i]);
-          const double stop   = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
-          fraction            = std::min(fraction, (std::abs(before) - stop) / std::abs(before - after));
+          SlipCondition<dim>::release(i, cloud);
+          cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
+          cloud.velocity[i] += time_step * gravity;
+          cloud.acceleration[i]  = gravity;
+          cloud.pressure[i]      = 0.;
+          cloud.pressure_rate[i] = 0.;
         }
-      if (fraction < 1.)
-      {
-        cloud.position[i] = start + fraction * path;
-        cloud.velocity[i] = Tensor<1, dim>();
-      }
-    }
   }
 
 
 
-  template void move_isolated_particles<2>(const FluidMesh<2> &, const Walls<2> &, const Tensor<1, 2> &,
-                                           const double, ParticleCloud<2> &);
-  template void move_isolated_particles<3>(const FluidMesh<3> &, const Walls<3> &, const Tensor<1, 3> &,
-                                           const double, ParticleCloud<3> &);
+  template <int dim>
+  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls, ParticleCloud<dim> &cloud)
+  {
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      {
+        if (cloud.kind[i] != ParticleKind::fluid)
+          continue;
+        const Tensor<1, dim> path     = cloud.position[i] - old_position[i];
+        double               fraction = 1.;
+        for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
+          if (!walls.facets()[facet].slip)
+            {
+              const double before = walls.signed_distance(facet, old_position[i]);
+              const double after  = walls.signed_distance(facet, cloud.position[i]);
+              const double stop   = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
+              fraction            = std::min(fraction, (std::abs(before) - stop) / std::abs(before - after));
+            }
+        if (fraction < 1.)
+          {
+            cloud.position[i]     = old_position[i] + fraction * path;
+            cloud.velocity[i]     = Tensor<1, dim>();
+            cloud.acceleration[i] = Tensor<1, dim>();
+          }
+      }
+  }
+
+
+
+  template void move_isolated_particles<2>(const FluidMesh<2> &, const Tensor<1, 2> &, const double,
+                                           ParticleCloud<2> &);
+  template void move_isolated_particles<3>(const FluidMesh<3> &, const Tensor<1, 3> &, const double,
+                                           ParticleCloud<3> &);
+  template void stop_at_walls<2>(const std::vector<Point<2>> &, const Walls<2> &, ParticleCloud<2> &);
+  template void stop_at_walls<3>(const std::vector<Point<3>> &, const Walls<3> &, ParticleCloud<3> &);
 } // namespace Lahar

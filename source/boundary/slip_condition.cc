@@ -25,7 +25,15 @@ namespace Lahar
     const auto free_slot = std::find(slots.begin(), slots.end(), ParticleCloud<dim>::no_facet);
     if (free_slot == slots.end())
       return;
-    *free_slot = facet;
+    // A facet in the plane of those in contact adds no direction; in 3D, where facets of one plane meet, it would take the
+    // slot of one that does.
+    const unsigned int n_fixed = constraint(particle, cloud).n_fixed;
+    *free_slot                 = facet;
+    if (constraint(particle, cloud).n_fixed == n_fixed)
+    {
+      *free_slot = ParticleCloud<dim>::no_facet;
+      return;
+    }
 
     // Move the particle along the directions that its other facets leave free.
     const NodeConstraint<dim> fixed = constraint(particle, cloud);

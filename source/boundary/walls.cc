@@ -93,7 +93,8 @@ namespace Lahar
       const unsigned int facet = entry.second;
       const double distance_a  = signed_distance(facet, a);
       const double distance_b  = signed_distance(facet, b);
-      if (std::min(distance_a, distance_b) > -tolerance || std::max(distance_a, distance_b) < tolerance)
+      if (distance_a == distance_b || std::min(distance_a, distance_b) > -tolerance ||
+          std::max(distance_a, distance_b) < tolerance)
         continue;
       const Point<dim> hit = a + distance_a / (distance_a - distance_b) * (b - a);
       if (is_above(facet, hit, -tolerance))

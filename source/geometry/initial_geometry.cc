@@ -260,7 +260,7 @@ namespace Lahar
 
 
 
-  void InitialGeometry::create(const double h, ParticleCloud<2> &cloud, Walls<2> &walls) const
+  std::vector<bool> InitialGeometry::create(const double h, ParticleCloud<2> &cloud, Walls<2> &walls) const
   {
     check_body_sizes(h);
     check_overlaps(h);
@@ -278,19 +278,31 @@ namespace Lahar
     }
     walls = Walls<2>(facets);
 
-    // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays.
-    const auto add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
-      for (const Point<2> &q : cloud.position)
-        if (p.distance_square(q) < clearance * clearance)
-          return;
-      cloud.append(p, kind, h);
+    // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a wall
+    // particle in the place of a fluid particle is wet.
+    std::vector<bool> wet;
+    const auto        add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
+      bool is_free = true;
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+        if (p.distance_square(cloud.position[i]) < clearance * clearance)
+          {
+            is_free = false;
+            if (kind == ParticleKind::fluid)
+              wet[i] = true;
+          }
+      if (is_free)
+        {
+          cloud.append(p, kind, h);
+          wet.push_back(kind == ParticleKind::fluid);
+        }
     };
     for (const Point<2> &p : wall_points)
       add(p, ParticleKind::wall, 0.1 * h);
     for (const Body &body : bodies)
       for (const Point<2> &p : body.contour.empty() ? body.nodes : fill_polygon(body.contour, h))
-        add(p, ParticleKind::fluid, body.contour.empty() ? 1e-3 * h : 0.3 * h);
+        add(p, ParticleKind::fluid, 0.3 * h);
     if (cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
+    return wet;
   }
 } // namespace Lahar

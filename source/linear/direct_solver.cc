@@ -15,10 +15,10 @@ namespace Lahar
     prm.enter_subsection("Direct");
     prm.declare_entry("Package", "MUMPS", Patterns::Anything(), "Package that factorises: MUMPS or KLU.");
     prm.declare_entry(
-      "Tolerance", "1e-3", Patterns::Double(),
+      "Tolerance", "1e-3", Patterns::Anything(),
       "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
       "0 every system is factorised.");
-    prm.declare_entry("Maximum iterations", "12", Patterns::Integer(),
+    prm.declare_entry("Maximum iterations", "12", Patterns::Anything(),
                       "Factorise anew when an earlier factorisation needs more GMRES iterations, 1 to 100.");
     prm.leave_subsection();
   }
@@ -33,7 +33,7 @@ namespace Lahar
       prm.throw_wrong_value("Package", "MUMPS|KLU");
     package        = prm.get("Package") == "KLU" ? "Amesos_Klu" : "Amesos_Mumps";
     tolerance      = prm.get_in_range("Tolerance", 0., 0.1);
-    max_iterations = static_cast<unsigned int>(prm.get_in_range("Maximum iterations", 1, 100));
+    max_iterations = prm.get_count("Maximum iterations", 1, 100);
     prm.leave_subsection();
   }
 

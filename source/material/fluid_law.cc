@@ -56,7 +56,7 @@ namespace Lahar
 
   void FluidLaw::declare_common_parameters(Parameters &prm)
   {
-    prm.declare_entry("Density", "1000", Patterns::Double(), "Density ρ in kg/m³, above zero.");
+    prm.declare_entry("Density", "1000", Patterns::Anything(), "Density ρ in kg/m³, above zero.");
     prm.declare_entry("Bulk modulus", "infinite", Patterns::Anything(),
                       "Bulk modulus κ in Pa, above zero, or 'infinite' for an incompressible fluid.");
   }

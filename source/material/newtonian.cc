@@ -6,7 +6,7 @@ namespace Lahar
   void Newtonian::declare_parameters(Parameters &prm)
   {
     declare_common_parameters(prm);
-    prm.declare_entry("Viscosity", "0.001", Patterns::Double(),
+    prm.declare_entry("Viscosity", "0.001", Patterns::Anything(),
                       "Dynamic viscosity μ in Pa s, zero or above.");
   }
 

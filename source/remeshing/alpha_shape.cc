@@ -10,6 +10,13 @@ namespace Lahar
     /// Simplices below this fraction of h^dim are taken for flat.
     constexpr double flat_volume = 1e-6;
 
+    /// Fluid that moves towards a wall lands where the gap is below this times h …
+    constexpr double landing_gap = 0.25;
+    /// … or where the simplex in the gap loses this part of its volume within the next step.
+    constexpr double landing_shrinkage = 0.7;
+    /// Fluid that has passed a dry wall particle spreads to it where the gap is below this times h.
+    constexpr double spreading_gap = 0.6;
+
     template <int dim>
     double mean_spacing(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud)
     {
@@ -28,6 +35,17 @@ namespace Lahar
         return cloud.kind[particle] == ParticleKind::fluid;
       });
       return !has_fluid || signed_volume<dim>(corners) < flat_volume * std::pow(h, dim);
+    }
+
+    /// The rate at which the simplex shrinks, −V'/V = −div v, 1/s.
+    template <int dim>
+    double shrinkage(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const ParticleCloud<dim> &cloud)
+    {
+      const auto gradients = shape_gradients<dim>(corners);
+      double     sum       = 0.;
+      for (unsigned int c = 0; c <= dim; ++c)
+        sum -= cloud.velocity[simplex[c]] * gradients[c];
+      return sum;
     }
 
     template <int dim>
@@ -51,12 +69,12 @@ namespace Lahar
       "Rule", "advected", Patterns::Anything(),
       "Which simplices are fluid: 'plain', all with a circumradius below Alpha times the spacing, or "
       "'advected', which remembers the fluid's domain of the step before and so keeps its volume.");
-    prm.declare_entry("Alpha", dim == 2 ? "1.25" : "1.35", Patterns::Double(),
+    prm.declare_entry("Alpha", dim == 2 ? "1.25" : "1.35", Patterns::Anything(),
                       "Largest circumradius of a fluid simplex over the particles' spacing, 1 or above.");
-    prm.declare_entry("Alpha inside", "2.5", Patterns::Double(),
+    prm.declare_entry("Alpha inside", "2.5", Patterns::Anything(),
                       "Rule 'advected': the same for simplices inside the old domain, Alpha or above.");
     prm.declare_entry(
-      "Alpha outside", "0.8", Patterns::Double(),
+      "Alpha outside", "0.8", Patterns::Anything(),
       "Rule 'advected': the same for simplices of fluid particles outside the old domain, 0.6 to Alpha.");
     prm.leave_subsection();
   }
@@ -108,61 +126,59 @@ namespace Lahar
     if (old_domain.contains(simplex, centroid<dim>(corners)))
       return true;
 
+    if (crosses_wall<dim>(corners, h, walls))
+      return false;
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
-    return radius < (touches_wall ? alpha : alpha_merge) * h && !crosses_wall<dim>(corners, h, walls) &&
-           (!touches_wall || is_arriving(simplex, cloud, old_domain, h, time_step));
+    return touches_wall ? is_arriving(simplex, corners, radius, h, cloud, old_domain, time_step) :
+                          radius < alpha_merge * h && shrinkage<dim>(simplex, corners, cloud) > 0.;
   }
 
 
 
   template <int dim>
-  bool AlphaShape<dim>::is_arriving(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
-                                    const OldDomain<dim> &old_domain, const double h,
-                                    const double time_step) const
+  bool AlphaShape<dim>::is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
+                                    const double radius, const double h, const ParticleCloud<dim> &cloud,
+                                    const OldDomain<dim> &old_domain, const double time_step) const
   {
-    const auto corners = corners_of<dim>(simplex, cloud.position);
-
-    bool any_wet = false, any_dry = false;
-    for (const unsigned int particle : simplex)
-      if (cloud.kind[particle] != ParticleKind::fluid)
-        (old_domain.was_wet(particle) ? any_wet : any_dry) = true;
-
-    if (any_wet && any_dry)
-    {
-      for (unsigned int dry = 0; dry <= dim; ++dry)
-        if (cloud.kind[simplex[dry]] != ParticleKind::fluid && !old_domain.was_wet(simplex[dry]))
-        {
-          bool reached = false;
-          for (unsigned int fluid = 0; fluid <= dim && !reached; ++fluid)
-            if (cloud.kind[simplex[fluid]] == ParticleKind::fluid)
-            {
-              double to_wet = std::numeric_limits<double>::max();
-              for (unsigned int wet = 0; wet <= dim; ++wet)
-                if (cloud.kind[simplex[wet]] != ParticleKind::fluid && old_domain.was_wet(simplex[wet]))
-                  to_wet = std::min(to_wet, corners[fluid].distance_square(corners[wet]));
-              reached = corners[fluid].distance_square(corners[dry]) < to_wet;
-            }
-          if (!reached)
-            return false;
-        }
-      return true;
-    }
-
-    if (any_wet)
-      return true;
-
-    // The rate at which the simplex shrinks, −V'/V = −div v, and the smallest distance of its fluid corners from the
-    // opposite faces, the reciprocal of the shape gradient.
-    const auto gradients = shape_gradients<dim>(corners);
-    double shrinkage = 0., distance = std::numeric_limits<double>::max();
+    // The gap between the fluid's and the wall's corners: the sum of the fluid's shape functions rises from 0 to 1 in it.
+    const auto     gradients = shape_gradients<dim>(corners);
+    Tensor<1, dim> rise;
     for (unsigned int c = 0; c <= dim; ++c)
-    {
-      shrinkage -= cloud.velocity[simplex[c]] * gradients[c];
-      distance = std::min(distance, 1. / gradients[c].norm());
-    }
-    return shrinkage > 0. && (distance < 0.5 * h || 2. * shrinkage * time_step > 1.);
+      if (cloud.kind[simplex[c]] == ParticleKind::fluid)
+        rise += gradients[c];
+    const double gap       = 1. / rise.norm();
+    const double shrinking = shrinkage<dim>(simplex, corners, cloud);
+    if (shrinking > 0. && (gap < landing_gap * h || shrinking * time_step > landing_shrinkage))
+      return true;
+
+    if (radius >= alpha * h || gap >= spreading_gap * h)
+      return false;
+    bool any_wet = false;
+    for (unsigned int dry = 0; dry <= dim; ++dry)
+      {
+        if (cloud.kind[simplex[dry]] == ParticleKind::fluid)
+          continue;
+        if (old_domain.was_wet(simplex[dry]))
+          {
+            any_wet = true;
+            continue;
+          }
+        bool reached = false;
+        for (unsigned int fluid = 0; fluid <= dim && !reached; ++fluid)
+          if (cloud.kind[simplex[fluid]] == ParticleKind::fluid)
+            {
+              reached = true;
+              for (unsigned int wet = 0; wet <= dim; ++wet)
+                if (cloud.kind[simplex[wet]] != ParticleKind::fluid && old_domain.was_wet(simplex[wet]) &&
+                    corners[fluid].distance_square(corners[wet]) <= corners[fluid].distance_square(corners[dry]))
+                  reached = false;
+            }
+        if (!reached)
+          return false;
+      }
+    return any_wet;
   }
 
 

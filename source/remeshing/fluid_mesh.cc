@@ -18,7 +18,8 @@ namespace Lahar
 
   namespace
   {
-    /// Rotate every cell's corners until the smallest comes first (an even permutation), then sort the cells.
+    /// Permute every cell's corners evenly until the smallest comes first and, in 3D, the second smallest is next; then
+    /// sort the cells.
     template <int dim>
     void make_canonical(std::vector<Simplex<dim>> &cells)
     {
@@ -32,6 +33,8 @@ namespace Lahar
           std::swap(cell[0], cell[first]);
           std::swap(cell[1 + first % dim], cell[1 + (first + 1) % dim]);
         }
+        if (dim == 3)
+          std::rotate(cell.begin() + 1, std::min_element(cell.begin() + 1, cell.end()), cell.end());
       }
       std::sort(cells.begin(), cells.end());
     }
@@ -123,6 +126,8 @@ namespace Lahar
     };
 
     faces.clear();
+    if (vertex_cells.empty())
+      return; // deal.II has no iterators for an empty triangulation
     for (const auto &cell : tria.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
@@ -146,6 +151,8 @@ namespace Lahar
   template <int dim>
   void FluidMesh<dim>::move(const ParticleCloud<dim> &cloud)
   {
+    if (vertex_cells.empty())
+      return;
     for (const auto &cell : tria.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         cell->vertex(v) = cloud.position[cells_of_particles[cell->active_cell_index()][v]];

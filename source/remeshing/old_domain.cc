@@ -1,6 +1,8 @@
 #include <lahar/remeshing/old_domain.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   template <int dim>
@@ -9,36 +11,47 @@ namespace Lahar
   {
     cells.reserve(mesh.n_cells());
     for (const Simplex<dim> &simplex : mesh.particle_cells())
-    {
-      const auto corners = corners_of<dim>(simplex, cloud.position);
-      if (!(signed_volume<dim>(corners) > 0.))
-        continue;
-      for (const unsigned int particle : simplex)
-        cells_of[particle].push_back(cells.size());
-      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0]});
-    }
+      {
+        const auto corners = corners_of<dim>(simplex, cloud.position);
+        if (!(signed_volume<dim>(corners) > 0.))
+          continue;
+        for (const unsigned int particle : simplex)
+          cells_of[particle].push_back(cells.size());
+        cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex});
+      }
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      seeds.emplace_back(i, i);
   }
 
 
 
   template <int dim>
-  void OldDomain<dim>::renumber(const std::vector<unsigned int> &new_index,
+  void OldDomain<dim>::renumber(const std::vector<unsigned int>                          &new_index,
                                 const std::vector<std::pair<unsigned int, unsigned int>> &parents,
-                                const unsigned int n_particles)
+                                const unsigned int                                        n_particles)
   {
-    std::vector<std::vector<unsigned int>> renumbered(n_particles);
-    const unsigned int first_inserted = n_particles - parents.size();
-    for (unsigned int i = 0; i < parents.size(); ++i)
-    {
-      renumbered[first_inserted + i] = cells_of[parents[i].first];
-      renumbered[first_inserted + i].insert(renumbered[first_inserted + i].end(),
-                                            cells_of[parents[i].second].begin(),
-                                            cells_of[parents[i].second].end());
-    }
+    seeds.assign(n_particles, {numbers::invalid_unsigned_int, numbers::invalid_unsigned_int});
     for (unsigned int i = 0; i < new_index.size(); ++i)
       if (new_index[i] != numbers::invalid_unsigned_int)
-        renumbered[new_index[i]] = std::move(cells_of[i]);
-    cells_of = std::move(renumbered);
+        seeds[new_index[i]] = {i, i};
+    std::copy(parents.begin(), parents.end(), seeds.end() - parents.size());
+  }
+
+
+
+  template <int dim>
+  bool OldDomain<dim>::is_inside(const unsigned int cell, const Point<dim> &point) const
+  {
+    const double         tolerance = 1e-10;
+    const Tensor<1, dim> lambda    = cells[cell].to_barycentric * (point - cells[cell].origin);
+    double               sum       = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        if (lambda[d] < -tolerance)
+          return false;
+        sum += lambda[d];
+      }
+    return sum <= 1. + tolerance;
   }
 
 
@@ -46,21 +59,22 @@ namespace Lahar
   template <int dim>
   bool OldDomain<dim>::contains(const Simplex<dim> &simplex, const Point<dim> &point) const
   {
-    const double tolerance = 1e-10;
+    std::vector<unsigned int> first_ring;
     for (const unsigned int particle : simplex)
-      for (const unsigned int c : cells_of[particle])
-      {
-        const Tensor<1, dim> lambda = cells[c].to_barycentric * (point - cells[c].origin);
-        double sum                  = 0.;
-        bool inside                 = true;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          inside = inside && lambda[d] >= -tolerance;
-          sum += lambda[d];
-        }
-        if (inside && sum <= 1. + tolerance)
-          return true;
-      }
+      for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})
+        if (seed != numbers::invalid_unsigned_int)
+          for (const unsigned int cell : cells_of[seed])
+            {
+              if (is_inside(cell, point))
+                return true;
+              first_ring.push_back(cell);
+            }
+    // A removed particle's cells, or those that the point has moved past, are in the second ring.
+    for (const unsigned int ring_cell : first_ring)
+      for (const unsigned int corner : cells[ring_cell].corners)
+        for (const unsigned int cell : cells_of[corner])
+          if (is_inside(cell, point))
+            return true;
     return false;
   }
 

@@ -1,5 +1,7 @@
 #include <lahar/remeshing/remesher.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   template <int dim>
@@ -26,11 +28,12 @@ namespace Lahar
 
   template <int dim>
   void Remesher<dim>::create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                  FluidMesh<dim> &mesh) const
+                                  const std::vector<bool> &wet, FluidMesh<dim> &mesh) const
   {
     std::vector<Simplex<dim>> cells;
     for (const Simplex<dim> &simplex : delaunay<dim>(cloud.position))
-      if (alpha_shape.accepts_plain(simplex, cloud, walls))
+      if (std::all_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) { return wet[particle]; }) &&
+          alpha_shape.accepts_plain(simplex, cloud, walls))
         cells.push_back(simplex);
     mesh.reinit(cloud, cells);
   }

@@ -32,12 +32,12 @@ namespace Lahar
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
       "large regularization parameter) or 'primal-dual'.");
     prm.declare_entry(
-      "Tolerance", "1e-4", Patterns::Double(),
+      "Tolerance", "1e-4", Patterns::Anything(),
       "Largest relative increment of velocity and pressure in the last iteration, above 0 and below 1.");
-    prm.declare_entry("Maximum iterations", "30", Patterns::Integer(),
+    prm.declare_entry("Maximum iterations", "30", Patterns::Anything(),
                       "A step that needs more iterations has failed, 1 to 1000.");
     prm.declare_entry(
-      "Pseudo bulk modulus ratio", "0.2", Patterns::Double(),
+      "Pseudo bulk modulus ratio", "0.2", Patterns::Anything(),
       "'segregated': the pseudo bulk modulus κ_p of the velocity step times Δt² over ρ h², zero or above. "
       "It changes the convergence, not the solution.");
     prm.leave_subsection();
@@ -70,7 +70,7 @@ namespace Lahar
     scheme->tolerance = prm.get_positive("Tolerance");
     if (scheme->tolerance >= 1.)
       prm.throw_wrong_value("Tolerance", "a number above 0 and below 1");
-    scheme->maximum_iterations = static_cast<unsigned int>(prm.get_in_range("Maximum iterations", 1, 1000));
+    scheme->maximum_iterations = prm.get_count("Maximum iterations", 1, 1000);
     prm.leave_subsection();
     return scheme;
   }

@@ -32,7 +32,7 @@ namespace Lahar
     : communicator(communicator)
     , prm(prm)
     , slip_condition(walls)
-    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
   {
     parameters.parse_parameters(prm);
@@ -52,10 +52,10 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    geometry.create(parameters.mesh_size, particles, walls);
+    const std::vector<bool> wet = geometry.create(parameters.mesh_size, particles, walls);
     set_initial_velocities();
     slip_condition.initialize(particles);
-    remesher.create_mesh(particles, walls, fluid_mesh);
+    remesher.create_mesh(particles, walls, wet, fluid_mesh);
     if (fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
@@ -74,7 +74,8 @@ namespace Lahar
       const std::vector<std::string> components = split_list(initial_velocity, ';');
       AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
       function.initialize(dim == 2 ? "x,y" : "x,y,z", components, {{"pi", numbers::PI}});
-      function.value(Point<dim>());
+      for (unsigned int d = 0; d < dim; ++d)
+        function.value(Point<dim>(), d);
     }
     catch (const std::exception &)
     {
@@ -191,7 +192,8 @@ namespace Lahar
       change_by_solver += (new_volume - volume) / initial_volume;
       volume = new_volume;
 
-      move_isolated_particles(fluid_mesh, walls, gravity, time_step, particles);
+      move_isolated_particles(fluid_mesh, gravity, time_step, particles);
+      stop_at_walls(old_position, walls, particles);
       slip_condition.update(old_position, particles);
       fluid_mesh.move(particles);
     }

@@ -4,10 +4,12 @@ namespace Lahar
 {
   void TimeIntegration::declare_parameters(Parameters &prm)
   {
-    prm.declare_entry(
-      "Time integration", "Newmark", Patterns::Anything(),
-      "Time integration: 'Newmark' (trapezoidal rule, second order, undamped) or 'backward Euler' "
-      "(first order, damped).");
+    prm.declare_entry("Time integration", "Newmark", Patterns::Anything(),
+                      "Time integration: 'Newmark' (with trapezoidal displacements) or 'backward Euler' (first order, "
+                      "strongly damped).");
+    prm.declare_entry("Newmark gamma", "0.7", Patterns::Anything(),
+                      "Newmark's γ, 0.5 to 1. 0.5 is the trapezoidal rule, which damps nothing; larger values damp the "
+                      "oscillation of pressures and accelerations from step to step by the factor (1−γ)/γ.");
   }
 
 
@@ -16,22 +18,22 @@ namespace Lahar
   {
     if (prm.get("Time integration") != "Newmark" && prm.get("Time integration") != "backward Euler")
       prm.throw_wrong_value("Time integration", "Newmark|backward Euler");
-    newmark = prm.get("Time integration") == "Newmark";
+    newmark       = prm.get("Time integration") == "Newmark";
+    newmark_gamma = prm.get_in_range("Newmark gamma", 0.5, 1.);
   }
 
 
 
   void TimeIntegration::start_step(const double new_time_step, const bool is_first)
   {
-    time_step   = new_time_step;
-    trapezoidal = newmark && !is_first;
+    time_step = new_time_step;
+    gamma     = newmark && !is_first ? newmark_gamma : 1.;
   }
 
 
 
   StepFactors TimeIntegration::factors() const
   {
-    return trapezoidal ? StepFactors{time_step, 0.5 * time_step, 2. / time_step}
-                       : StepFactors{time_step, time_step, 1. / time_step};
+    return {time_step, newmark ? 0.5 * time_step : time_step, 1. / (gamma * time_step)};
   }
 } // namespace Lahar

@@ -41,10 +41,24 @@ namespace Lahar
 
 
 
+  double Parameters::get_number(const std::string &entry) const
+  {
+    try
+      {
+        return to_number(get(entry));
+      }
+    catch (const std::invalid_argument &)
+      {
+        throw_wrong_value(entry, "a finite number");
+      }
+  }
+
+
+
   double Parameters::get_positive(const std::string &entry, const bool allow_zero) const
   {
-    const double value = get_double(entry);
-    if (!std::isfinite(value) || value < 0. || (value == 0. && !allow_zero))
+    const double value = get_number(entry);
+    if (value < 0. || (value == 0. && !allow_zero))
       throw_wrong_value(entry, allow_zero ? "a finite number, zero or above" : "a finite number above zero");
     return value;
   }
@@ -53,11 +67,22 @@ namespace Lahar
 
   double Parameters::get_in_range(const std::string &entry, const double lower, const double upper) const
   {
-    const double value = get_double(entry);
+    const double value = get_number(entry);
     if (!(value >= lower && value <= upper))
       throw_wrong_value(entry, "a number from " + Utilities::to_string(lower) + " to " +
                                  Utilities::to_string(upper));
     return value;
+  }
+
+
+
+  unsigned int Parameters::get_count(const std::string &entry, const unsigned int lower, const unsigned int upper) const
+  {
+    const double value = get_number(entry);
+    if (!(value >= lower && value <= upper) || value != std::floor(value))
+      throw_wrong_value(entry,
+                        "a whole number from " + std::to_string(lower) + " to " + std::to_string(upper));
+    return static_cast<unsigned int>(value);
   }
 
 

@@ -30,9 +30,10 @@ namespace Lahar
 
     /**
      * Fill @p cloud and @p walls with spacing @p h (m).
+     * @return by particle, whether a wall particle stands where a body touches the wall (true for fluid particles).
      * @throws InputError if there is no fluid, if a body is smaller than @p h, if bodies overlap each other or a wall.
      */
-    void create(const double h, ParticleCloud<2> &cloud, Walls<2> &walls) const;
+    std::vector<bool> create(const double h, ParticleCloud<2> &cloud, Walls<2> &walls) const;
 
   private:
     struct Body

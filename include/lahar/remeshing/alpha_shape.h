@@ -5,6 +5,7 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/delaunay.h>
 #include <lahar/remeshing/old_domain.h>
+#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/parameters.h>
 
 namespace Lahar
@@ -19,13 +20,13 @@ namespace Lahar
    * `advected`: the rule depends on where the simplex lies with respect to the old domain, the cells of the last mesh
    * carried along by the flow.
    * - Inside it, a simplex stays fluid as long as R < α_keep h.
-   * - Outside it, a simplex of fluid particles only becomes fluid if R < α_merge h.
-   * - Outside it, a simplex with wall particles becomes fluid if R < α h and the fluid has arrived:
-   *   - dry and wet wall particles: each dry one has a fluid particle nearer to it than to the simplex's wet ones, so
-   *     that fluid climbs or spreads along a wall only as far as it has moved;
-   *   - dry wall particles only: the simplex shrinks, and the fluid is nearer to the wall than h/2 or would reach it
-   *     within two steps.
-   * The first mesh follows the plain rule with α_merge for what touches no wet particle.
+   * - Outside it, a simplex of fluid particles only becomes fluid if R < α_merge h and it shrinks.
+   * - Outside it, a simplex with wall particles becomes fluid if the fluid lands on the wall: it shrinks, and the gap
+   *   between fluid and wall is below h/4 or closes within the next step (R < α_keep h).
+   * - Or, with dry and wet wall particles, if the fluid has spread along the wall: each dry one has a fluid particle
+   *   nearer to it than to the simplex's wet ones, and the gap is below 0.6 h (R < α h).
+   *
+   * So the fluid neither climbs a dry wall at rest nor swallows the air that it moves towards.
    */
   template <int dim>
   class AlphaShape
@@ -43,8 +44,10 @@ namespace Lahar
                  const OldDomain<dim> &old_domain, const double time_step) const;
 
   private:
-    bool is_arriving(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
-                     const OldDomain<dim> &old_domain, const double h, const double time_step) const;
+    /// Whether a simplex outside the old domain that touches a wall becomes fluid.
+    bool is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double radius,
+                     const double h, const ParticleCloud<dim> &cloud, const OldDomain<dim> &old_domain,
+                     const double time_step) const;
 
     bool advected = true;
     double alpha = 1.25, alpha_keep = 2.5, alpha_merge = 0.8;

@@ -4,7 +4,7 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 
-#include <set>
+#include <utility>
 #include <vector>
 
 namespace Lahar
@@ -24,21 +24,21 @@ namespace Lahar
      * Follow a change of the particles.
      *
      * @param new_index for each old particle its new index or numbers::invalid_unsigned_int.
-     * @param parents of the inserted particles, by the new index of particle; the inserted ones stand at the end.
+     * @param parents old indices of the parents of the inserted particles, which stand at the end.
      */
     void renumber(const std::vector<unsigned int> &new_index,
                   const std::vector<std::pair<unsigned int, unsigned int>> &parents,
                   const unsigned int n_particles);
 
-    /// Whether the particle was a vertex of the last mesh.
+    /// Whether the particle was a vertex of the last mesh (an inserted one: its parents).
     bool was_wet(const unsigned int particle) const
     {
-      return !cells_of[particle].empty();
+      return seeds[particle].first != numbers::invalid_unsigned_int && !cells_of[seeds[particle].first].empty();
     }
 
     /**
-     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its
-     * corners.
+     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its corners
+     * or in one of the cells around those.
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
@@ -46,11 +46,15 @@ namespace Lahar
     struct Cell
     {
       Tensor<2, dim> to_barycentric; ///< maps x − origin to the barycentric coordinates 1 … dim
-      Point<dim> origin;
+      Point<dim>     origin;
+      Simplex<dim>   corners; ///< old indices
     };
 
-    std::vector<Cell> cells;
-    std::vector<std::vector<unsigned int>> cells_of; ///< by particle
+    bool is_inside(const unsigned int cell, const Point<dim> &point) const;
+
+    std::vector<Cell>                                  cells;
+    std::vector<std::vector<unsigned int>>             cells_of; ///< by old index
+    std::vector<std::pair<unsigned int, unsigned int>> seeds;    ///< by new index: old index (twice) or the parents'
   };
 } // namespace Lahar
 

@@ -20,8 +20,9 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /// The first mesh of a cloud: all simplices that the plain alpha shape accepts.
-    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls, FluidMesh<dim> &mesh) const;
+    /// The first mesh of a cloud: the simplices of @p wet particles that the plain alpha shape accepts.
+    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<bool> &wet,
+                     FluidMesh<dim> &mesh) const;
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted.

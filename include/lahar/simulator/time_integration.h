@@ -9,41 +9,46 @@ namespace Lahar
   /**
    * One-step rules with the velocity as unknown.
    *
-   * Newmark (β = 1/4, γ = 1/2):  a = 2/Δt (v − v_n) − a_n,  x = x_n + Δt/2 (v_n + v): second order, undamped.
-   * Backward Euler:              a = (v − v_n)/Δt,          x = x_n + Δt v:           first order, damped.
+   * Newmark:         a = (v − v_n)/(γ Δt) − (1−γ)/γ a_n,  x = x_n + Δt/2 (v_n + v), that is β = γ/2.
+   * Backward Euler:  a = (v − v_n)/Δt,                    x = x_n + Δt v.
    *
-   * Newmark's first step of a run is one of backward Euler, because the acceleration at rest does not obey
-   * incompressibility and the trapezoidal rule would carry that error along for ever.
+   * γ = 1/2 is the trapezoidal rule of Franci & Zhang (2018). Incompressibility makes a differential-algebraic system of
+   * index two, in which the rule multiplies what remeshing and impacts leave in div a by −(1−γ)/γ in every step: with
+   * γ = 1/2 it never dies away and in the end destroys the flow. The trapezoidal displacement keeps volume to second
+   * order whatever γ is. The first step of a run has γ = 1, because the acceleration at rest does not obey
+   * incompressibility.
    */
   class TimeIntegration
   {
   public:
     static void declare_parameters(Parameters &prm);
-    void parse_parameters(Parameters &prm);
+    void        parse_parameters(Parameters &prm);
 
     /// Begin a step of length @p time_step (s); @p is_first as said above.
     void start_step(const double time_step, const bool is_first);
 
     StepFactors factors() const;
 
+    /// a at the end of the step.
     template <int dim>
     Tensor<1, dim> acceleration(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity,
                                 const Tensor<1, dim> &old_acceleration) const
     {
-      return factors().acceleration_factor * (velocity - old_velocity) -
-             (trapezoidal ? 1. : 0.) * old_acceleration;
+      return 1. / (gamma * time_step) * (velocity - old_velocity) - (1. - gamma) / gamma * old_acceleration;
     }
 
+    /// x − x_n at the end of the step.
     template <int dim>
     Tensor<1, dim> displacement(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity) const
     {
-      return trapezoidal ? 0.5 * time_step * (old_velocity + velocity) : time_step * velocity;
+      return newmark ? 0.5 * time_step * (old_velocity + velocity) : time_step * velocity;
     }
 
   private:
-    bool newmark     = true;
-    bool trapezoidal = true;
-    double time_step = 0.;
+    bool   newmark       = true;
+    double newmark_gamma = 0.7;
+    double gamma         = 1.;
+    double time_step     = 0.;
   };
 } // namespace Lahar
 

@@ -27,6 +27,12 @@ namespace Lahar
     /// Throw InputError with the entry's full path, the value found and what is @p allowed.
     [[noreturn]] void throw_wrong_value(const std::string &entry, const std::string &allowed) const;
 
+    /// A finite number; InputError otherwise.
+    double get_number(const std::string &entry) const;
+
+    /// A whole number in [@p lower, @p upper]; InputError otherwise.
+    unsigned int get_count(const std::string &entry, const unsigned int lower, const unsigned int upper) const;
+
     /// A finite number above zero (or, with @p allow_zero, not below); InputError otherwise.
     double get_positive(const std::string &entry, const bool allow_zero = false) const;
 
