@@ -96,8 +96,8 @@ namespace Lahar
 
   template <int dim>
   void FluidAssembler<dim>::predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
-                                                 const FluidState<dim>                &state,
-                                                 const std::vector<Tensor<1, dim>>    &increment,
+                                                 const FluidState<dim> &state,
+                                                 const std::vector<Tensor<1, dim>> &increment,
                                                  std::vector<SymmetricTensor<2, dim>> &base,
                                                  std::vector<SymmetricTensor<2, dim>> &slope) const
   {
@@ -105,26 +105,26 @@ namespace Lahar
     base.resize(mesh.n_cells());
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      {
-        const Simplex<dim> &vertices = mesh.cells()[c];
-        gather(vertices, state, cell);
-        cell.reinit(corners_of<dim>(vertices, state.position), false);
+    {
+      const Simplex<dim> &vertices = mesh.cells()[c];
+      gather(vertices, state, cell);
+      cell.reinit(corners_of<dim>(vertices, state.position), false);
 
-        Tensor<2, dim> delta_L;
-        for (unsigned int I = 0; I <= dim; ++I)
-          delta_L += outer_product(increment[vertices[I]], cell.gradients[I]);
-        const SymmetricTensor<2, dim> delta_d =
-          symmetrize(delta_L) - trace(delta_L) / 3. * unit_symmetric_tensor<dim>();
+      Tensor<2, dim> delta_L;
+      for (unsigned int I = 0; I <= dim; ++I)
+        delta_L += outer_product(increment[vertices[I]], cell.gradients[I]);
+      const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) -
+                                              trace(delta_L) / 3. * unit_symmetric_tensor<dim>();
 
-        // 1/ψ = f and ψ'/ψ = −f'/f.
-        const FluidLaw::Value          f      = law.plastic_part(cell.strain_rate);
-        const SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
-        const double                   norm   = std::sqrt(0.5 * (Lambda * Lambda));
-        const double                   delta_rate =
-          2. * (cell.deviator * delta_d) / std::max(cell.strain_rate, std::numeric_limits<double>::min());
-        base[c]  = 2. * f.value * cell.deviator;
-        slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
-      }
+      // 1/ψ = f and ψ'/ψ = −f'/f.
+      const FluidLaw::Value f               = law.plastic_part(cell.strain_rate);
+      const SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
+      const double norm                     = std::sqrt(0.5 * (Lambda * Lambda));
+      const double delta_rate               = 2. * (cell.deviator * delta_d) /
+                                std::max(cell.strain_rate, std::numeric_limits<double>::min());
+      base[c]  = 2. * f.value * cell.deviator;
+      slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
+    }
   }
 
 

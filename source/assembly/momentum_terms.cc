@@ -62,7 +62,8 @@ namespace Lahar
 
     template <int dim>
     ViscousTangent<dim> viscous_tangent(const FluidCell<dim> &cell, const double viscosity,
-                                        const ViscosityLinearization linearization, const double plastic_weight)
+                                        const ViscosityLinearization linearization,
+                                        const double plastic_weight)
     {
       ViscousTangent<dim> tangent;
       tangent.viscosity = viscosity;
@@ -75,7 +76,7 @@ namespace Lahar
       const double viscous_derivative = cell.law->viscous_part(rate).derivative;
       tangent.A                       = cell.deviator;
 
-      tangent.coefficient             = 1.;
+      tangent.coefficient = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
       tangent.B = 2. * viscous_derivative / rate * cell.deviator;
       if (linearization == ViscosityLinearization::newton)

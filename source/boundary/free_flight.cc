@@ -4,8 +4,8 @@
 namespace Lahar
 {
   template <int dim>
-  void move_isolated_particles(const FluidMesh<dim> &mesh, const Tensor<1, dim> &gravity, const double time_step,
-                               ParticleCloud<dim> &cloud)
+  void move_isolated_particles(const FluidMesh<dim> &mesh, const Tensor<1, dim> &gravity,
+                               const double time_step, ParticleCloud<dim> &cloud)
   {
     std::vector<bool> in_mesh(cloud.size(), false);
     for (const unsigned int particle : mesh.particles())
@@ -13,42 +13,43 @@ namespace Lahar
 
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid)
-        {
-          SlipCondition<dim>::release(i, cloud);
-          cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
-          cloud.velocity[i] += time_step * gravity;
-          cloud.acceleration[i]  = gravity;
-          cloud.pressure[i]      = 0.;
-          cloud.pressure_rate[i] = 0.;
-        }
+      {
+        SlipCondition<dim>::release(i, cloud);
+        cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
+        cloud.velocity[i] += time_step * gravity;
+        cloud.acceleration[i]  = gravity;
+        cloud.pressure[i]      = 0.;
+        cloud.pressure_rate[i] = 0.;
+      }
   }
 
 
 
   template <int dim>
-  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls, ParticleCloud<dim> &cloud)
+  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls,
+                     ParticleCloud<dim> &cloud)
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
+      if (cloud.kind[i] != ParticleKind::fluid)
+        continue;
+      const Tensor<1, dim> path = cloud.position[i] - old_position[i];
+      double fraction           = 1.;
+      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
+        if (!walls.facets()[facet].slip)
+        {
+          const double before = walls.signed_distance(facet, old_position[i]);
+          const double after  = walls.signed_distance(facet, cloud.position[i]);
+          const double stop   = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
+          fraction            = std::min(fraction, (std::abs(before) - stop) / std::abs(before - after));
+        }
+      if (fraction < 1.)
       {
-        if (cloud.kind[i] != ParticleKind::fluid)
-          continue;
-        const Tensor<1, dim> path     = cloud.position[i] - old_position[i];
-        double               fraction = 1.;
-        for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
-          if (!walls.facets()[facet].slip)
-            {
-              const double before = walls.signed_distance(facet, old_position[i]);
-              const double after  = walls.signed_distance(facet, cloud.position[i]);
-              const double stop   = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
-              fraction            = std::min(fraction, (std::abs(before) - stop) / std::abs(before - after));
-            }
-        if (fraction < 1.)
-          {
-            cloud.position[i]     = old_position[i] + fraction * path;
-            cloud.velocity[i]     = Tensor<1, dim>();
-            cloud.acceleration[i] = Tensor<1, dim>();
-          }
+        cloud.position[i]     = old_position[i] + fraction * path;
+        cloud.velocity[i]     = Tensor<1, dim>();
+        cloud.acceleration[i] = Tensor<1, dim>();
       }
+    }
   }
 
 

@@ -281,20 +281,20 @@ namespace Lahar
     // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a wall
     // particle in the place of a fluid particle is wet.
     std::vector<bool> wet;
-    const auto        add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
+    const auto add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
       bool is_free = true;
       for (unsigned int i = 0; i < cloud.size(); ++i)
         if (p.distance_square(cloud.position[i]) < clearance * clearance)
-          {
-            is_free = false;
-            if (kind == ParticleKind::fluid)
-              wet[i] = true;
-          }
-      if (is_free)
         {
-          cloud.append(p, kind, h);
-          wet.push_back(kind == ParticleKind::fluid);
+          is_free = false;
+          if (kind == ParticleKind::fluid)
+            wet[i] = true;
         }
+      if (is_free)
+      {
+        cloud.append(p, kind, h);
+        wet.push_back(kind == ParticleKind::fluid);
+      }
     };
     for (const Point<2> &p : wall_points)
       add(p, ParticleKind::wall, 0.1 * h);

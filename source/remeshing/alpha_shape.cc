@@ -39,10 +39,11 @@ namespace Lahar
 
     /// The rate at which the simplex shrinks, −V'/V = −div v, 1/s.
     template <int dim>
-    double shrinkage(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const ParticleCloud<dim> &cloud)
+    double shrinkage(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
+                     const ParticleCloud<dim> &cloud)
     {
       const auto gradients = shape_gradients<dim>(corners);
-      double     sum       = 0.;
+      double sum           = 0.;
       for (unsigned int c = 0; c <= dim; ++c)
         sum -= cloud.velocity[simplex[c]] * gradients[c];
       return sum;
@@ -131,8 +132,8 @@ namespace Lahar
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
-    return touches_wall ? is_arriving(simplex, corners, radius, h, cloud, old_domain, time_step) :
-                          radius < alpha_merge * h && shrinkage<dim>(simplex, corners, cloud) > 0.;
+    return touches_wall ? is_arriving(simplex, corners, radius, h, cloud, old_domain, time_step)
+                        : radius < alpha_merge * h && shrinkage<dim>(simplex, corners, cloud) > 0.;
   }
 
 
@@ -143,7 +144,7 @@ namespace Lahar
                                     const OldDomain<dim> &old_domain, const double time_step) const
   {
     // The gap between the fluid's and the wall's corners: the sum of the fluid's shape functions rises from 0 to 1 in it.
-    const auto     gradients = shape_gradients<dim>(corners);
+    const auto gradients = shape_gradients<dim>(corners);
     Tensor<1, dim> rise;
     for (unsigned int c = 0; c <= dim; ++c)
       if (cloud.kind[simplex[c]] == ParticleKind::fluid)
@@ -157,27 +158,27 @@ namespace Lahar
       return false;
     bool any_wet = false;
     for (unsigned int dry = 0; dry <= dim; ++dry)
+    {
+      if (cloud.kind[simplex[dry]] == ParticleKind::fluid)
+        continue;
+      if (old_domain.was_wet(simplex[dry]))
       {
-        if (cloud.kind[simplex[dry]] == ParticleKind::fluid)
-          continue;
-        if (old_domain.was_wet(simplex[dry]))
-          {
-            any_wet = true;
-            continue;
-          }
-        bool reached = false;
-        for (unsigned int fluid = 0; fluid <= dim && !reached; ++fluid)
-          if (cloud.kind[simplex[fluid]] == ParticleKind::fluid)
-            {
-              reached = true;
-              for (unsigned int wet = 0; wet <= dim; ++wet)
-                if (cloud.kind[simplex[wet]] != ParticleKind::fluid && old_domain.was_wet(simplex[wet]) &&
-                    corners[fluid].distance_square(corners[wet]) <= corners[fluid].distance_square(corners[dry]))
-                  reached = false;
-            }
-        if (!reached)
-          return false;
+        any_wet = true;
+        continue;
       }
+      bool reached = false;
+      for (unsigned int fluid = 0; fluid <= dim && !reached; ++fluid)
+        if (cloud.kind[simplex[fluid]] == ParticleKind::fluid)
+        {
+          reached = true;
+          for (unsigned int wet = 0; wet <= dim; ++wet)
+            if (cloud.kind[simplex[wet]] != ParticleKind::fluid && old_domain.was_wet(simplex[wet]) &&
+                corners[fluid].distance_square(corners[wet]) <= corners[fluid].distance_square(corners[dry]))
+              reached = false;
+        }
+      if (!reached)
+        return false;
+    }
     return any_wet;
   }
 

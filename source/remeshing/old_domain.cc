@@ -11,14 +11,14 @@ namespace Lahar
   {
     cells.reserve(mesh.n_cells());
     for (const Simplex<dim> &simplex : mesh.particle_cells())
-      {
-        const auto corners = corners_of<dim>(simplex, cloud.position);
-        if (!(signed_volume<dim>(corners) > 0.))
-          continue;
-        for (const unsigned int particle : simplex)
-          cells_of[particle].push_back(cells.size());
-        cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex});
-      }
+    {
+      const auto corners = corners_of<dim>(simplex, cloud.position);
+      if (!(signed_volume<dim>(corners) > 0.))
+        continue;
+      for (const unsigned int particle : simplex)
+        cells_of[particle].push_back(cells.size());
+      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex});
+    }
     for (unsigned int i = 0; i < cloud.size(); ++i)
       seeds.emplace_back(i, i);
   }
@@ -26,9 +26,9 @@ namespace Lahar
 
 
   template <int dim>
-  void OldDomain<dim>::renumber(const std::vector<unsigned int>                          &new_index,
+  void OldDomain<dim>::renumber(const std::vector<unsigned int> &new_index,
                                 const std::vector<std::pair<unsigned int, unsigned int>> &parents,
-                                const unsigned int                                        n_particles)
+                                const unsigned int n_particles)
   {
     seeds.assign(n_particles, {numbers::invalid_unsigned_int, numbers::invalid_unsigned_int});
     for (unsigned int i = 0; i < new_index.size(); ++i)
@@ -42,15 +42,15 @@ namespace Lahar
   template <int dim>
   bool OldDomain<dim>::is_inside(const unsigned int cell, const Point<dim> &point) const
   {
-    const double         tolerance = 1e-10;
-    const Tensor<1, dim> lambda    = cells[cell].to_barycentric * (point - cells[cell].origin);
-    double               sum       = 0.;
+    const double tolerance      = 1e-10;
+    const Tensor<1, dim> lambda = cells[cell].to_barycentric * (point - cells[cell].origin);
+    double sum                  = 0.;
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        if (lambda[d] < -tolerance)
-          return false;
-        sum += lambda[d];
-      }
+    {
+      if (lambda[d] < -tolerance)
+        return false;
+      sum += lambda[d];
+    }
     return sum <= 1. + tolerance;
   }
 
@@ -64,11 +64,11 @@ namespace Lahar
       for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})
         if (seed != numbers::invalid_unsigned_int)
           for (const unsigned int cell : cells_of[seed])
-            {
-              if (is_inside(cell, point))
-                return true;
-              first_ring.push_back(cell);
-            }
+          {
+            if (is_inside(cell, point))
+              return true;
+            first_ring.push_back(cell);
+          }
     // A removed particle's cells, or those that the point has moved past, are in the second ring.
     for (const unsigned int ring_cell : first_ring)
       for (const unsigned int corner : cells[ring_cell].corners)

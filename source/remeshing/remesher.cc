@@ -32,7 +32,8 @@ namespace Lahar
   {
     std::vector<Simplex<dim>> cells;
     for (const Simplex<dim> &simplex : delaunay<dim>(cloud.position))
-      if (std::all_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) { return wet[particle]; }) &&
+      if (std::all_of(simplex.begin(), simplex.end(),
+                      [&](const unsigned int particle) { return wet[particle]; }) &&
           alpha_shape.accepts_plain(simplex, cloud, walls))
         cells.push_back(simplex);
     mesh.reinit(cloud, cells);

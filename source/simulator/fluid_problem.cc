@@ -73,9 +73,13 @@ namespace Lahar
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
     move_state();
-    // Where the old velocities would invert a simplex, the first assembly takes the geometry before the step.
-    if (find_inverted_cell() < mesh->n_cells())
-      state.position = state.old_position;
+    // Where the old velocities would invert a simplex, start from slower ones, at last from a mesh that does not move.
+    for (double factor = 0.5; factor >= -1. && find_inverted_cell() < mesh->n_cells(); factor -= 0.5)
+    {
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        state.velocity[v] = factor * state.old_velocity[v];
+      move_state();
+    }
     set_norms();
   }
 
@@ -173,10 +177,10 @@ namespace Lahar
   void FluidProblem<dim>::start_increment()
   {
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      {
-        velocity_change[v] = system.velocity(solution, v);
-        pressure_change[v] = system.pressure(solution, v);
-      }
+    {
+      velocity_change[v] = system.velocity(solution, v);
+      pressure_change[v] = system.pressure(solution, v);
+    }
     base_velocity = state.velocity;
     base_pressure = state.pressure;
     if (fluid_law->yield_stress() > 0.)
@@ -190,21 +194,21 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Update");
     for (unsigned int halving = 0;; ++halving, length *= 0.5)
+    {
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        state.velocity[v] = base_velocity[v] + length * velocity_change[v];
+      move_state();
+      const unsigned int inverted = find_inverted_cell();
+      if (inverted == mesh->n_cells())
+        break;
+      if (halving == 5)
       {
-        for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-          state.velocity[v] = base_velocity[v] + length * velocity_change[v];
-        move_state();
-        const unsigned int inverted = find_inverted_cell();
-        if (inverted == mesh->n_cells())
-          break;
-        if (halving == 5)
-          {
-            std::ostringstream message;
-            message << "a simplex is inverted at ("
-                    << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
-            throw RunError(message.str());
-          }
+        std::ostringstream message;
+        message << "a simplex is inverted at ("
+                << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
+        throw RunError(message.str());
       }
+    }
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       state.pressure[v] = base_pressure[v] + length * pressure_change[v];
     if (fluid_law->yield_stress() > 0.)

@@ -10,10 +10,12 @@ namespace Lahar
     // increments are large, less than that below an increment of 1e-3, keeps the iteration from overshooting.
     constexpr double largest_stiffening = 0.1;
     constexpr double stiffening_rate    = 100.;
+    /// Stiffening after a step that overshot.
+    constexpr double overshoot_stiffening = 0.3;
 
     /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
-    constexpr double     overshoot      = 0.1;
-    constexpr double     shortest_step  = 0.2;
+    constexpr double overshoot           = 0.1;
+    constexpr double shortest_step       = 0.2;
     constexpr unsigned int n_trial_steps = 3;
   } // namespace
 
@@ -129,23 +131,25 @@ namespace Lahar
     report.mass_residual     = problem.mass_residual_norm();
     report.linear_iterations += problem.solve();
 
-    // Line search for δv·R_v = 0, only where the full step overshoots. The last assembly serves the next iteration.
-    const double start  = problem.work_along_increment();
-    double       length = problem.take_step(1.);
+    const double start        = problem.work_along_increment();
+    double length             = problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
     if (this->is_converged(report))
       return;
-    linearization.plastic_weight = 1. - std::min(largest_stiffening, stiffening_rate * report.velocity_increment);
+
+    // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
+    linearization.plastic_weight = 1. -
+                                   std::min(largest_stiffening, stiffening_rate * report.velocity_increment);
     problem.assemble(linearization);
-    for (unsigned int trial = 0; trial < n_trial_steps; ++trial)
-      {
-        const double end = problem.work_along_increment();
-        if (!(start < 0. && end > -overshoot * start))
-          break;
-        length = problem.take_step(length * std::max(shortest_step, start / (start - end)));
-        problem.assemble(linearization);
-      }
+    double end                   = problem.work_along_increment();
+    linearization.plastic_weight = 1. - overshoot_stiffening;
+    for (unsigned int trial = 0; trial < n_trial_steps && start < 0. && end > -overshoot * start; ++trial)
+    {
+      length = problem.take_step(length * std::max(shortest_step, start / (start - end)));
+      problem.assemble(linearization);
+      end = problem.work_along_increment();
+    }
   }
 
 

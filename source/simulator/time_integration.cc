@@ -4,12 +4,14 @@ namespace Lahar
 {
   void TimeIntegration::declare_parameters(Parameters &prm)
   {
-    prm.declare_entry("Time integration", "Newmark", Patterns::Anything(),
-                      "Time integration: 'Newmark' (with trapezoidal displacements) or 'backward Euler' (first order, "
-                      "strongly damped).");
-    prm.declare_entry("Newmark gamma", "0.7", Patterns::Anything(),
-                      "Newmark's γ, 0.5 to 1. 0.5 is the trapezoidal rule, which damps nothing; larger values damp the "
-                      "oscillation of pressures and accelerations from step to step by the factor (1−γ)/γ.");
+    prm.declare_entry(
+      "Time integration", "Newmark", Patterns::Anything(),
+      "Time integration: 'Newmark' (with trapezoidal displacements) or 'backward Euler' (first order, "
+      "strongly damped).");
+    prm.declare_entry(
+      "Newmark gamma", "0.7", Patterns::Anything(),
+      "Newmark's γ, 0.5 to 1. 0.5 is the trapezoidal rule, which damps nothing; larger values damp the "
+      "oscillation of pressures and accelerations from step to step by the factor (1−γ)/γ.");
   }
 
 

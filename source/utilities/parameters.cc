@@ -44,13 +44,13 @@ namespace Lahar
   double Parameters::get_number(const std::string &entry) const
   {
     try
-      {
-        return to_number(get(entry));
-      }
+    {
+      return to_number(get(entry));
+    }
     catch (const std::invalid_argument &)
-      {
-        throw_wrong_value(entry, "a finite number");
-      }
+    {
+      throw_wrong_value(entry, "a finite number");
+    }
   }
 
 
@@ -76,7 +76,8 @@ namespace Lahar
 
 
 
-  unsigned int Parameters::get_count(const std::string &entry, const unsigned int lower, const unsigned int upper) const
+  unsigned int Parameters::get_count(const std::string &entry, const unsigned int lower,
+                                     const unsigned int upper) const
   {
     const double value = get_number(entry);
     if (!(value >= lower && value <= upper) || value != std::floor(value))

@@ -21,10 +21,10 @@ namespace Lahar
     /// What the Jacobian contains.
     struct Linearization
     {
-      ViscosityLinearization viscosity         = ViscosityLinearization::primal_dual;
-      double                 plastic_weight    = 1.;   ///< factor of the plastic part's derivative
-      bool                   motion            = true; ///< the dependence of the geometry on the velocity
-      double                 pseudo_bulk_ratio = 0.;   ///< PseudoBulkStiffness of the segregated scheme
+      ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
+      double plastic_weight            = 1.;   ///< factor of the plastic part's derivative
+      bool motion                      = true; ///< the dependence of the geometry on the velocity
+      double pseudo_bulk_ratio         = 0.;   ///< PseudoBulkStiffness of the segregated scheme
     };
 
     static void declare_parameters(Parameters &prm);
@@ -44,7 +44,7 @@ namespace Lahar
      * Λ(α) = base + α slope, base = 2 d'/ψ, slope = [2 δd' − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
      */
     void predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
-                              const std::vector<Tensor<1, dim>>      &increment,
+                              const std::vector<Tensor<1, dim>> &increment,
                               std::vector<SymmetricTensor<2, dim>> &base,
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
 

@@ -52,7 +52,7 @@ namespace Lahar
 
   private:
     ViscosityLinearization linearization;
-    double                 plastic_weight;
+    double plastic_weight;
   };
 
   /**

@@ -9,15 +9,16 @@ namespace Lahar
 {
   /// Move the fluid particles without a cell, which fly freely: p = 0, a = g, v ← v + g Δt, x ← x + Δt (v_n + v)/2.
   template <int dim>
-  void move_isolated_particles(const FluidMesh<dim> &mesh, const Tensor<1, dim> &gravity, const double time_step,
-                               ParticleCloud<dim> &cloud);
+  void move_isolated_particles(const FluidMesh<dim> &mesh, const Tensor<1, dim> &gravity,
+                               const double time_step, ParticleCloud<dim> &cloud);
 
   /**
    * Stop fluid particles whose way from @p old_position (by particle) leads through a no-slip wall: they come to rest a
    * tenth of their spacing in front of it. At slip walls SlipCondition takes over.
    */
   template <int dim>
-  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls, ParticleCloud<dim> &cloud);
+  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls,
+                     ParticleCloud<dim> &cloud);
 } // namespace Lahar
 
 #endif

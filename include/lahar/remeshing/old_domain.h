@@ -33,7 +33,8 @@ namespace Lahar
     /// Whether the particle was a vertex of the last mesh (an inserted one: its parents).
     bool was_wet(const unsigned int particle) const
     {
-      return seeds[particle].first != numbers::invalid_unsigned_int && !cells_of[seeds[particle].first].empty();
+      return seeds[particle].first != numbers::invalid_unsigned_int &&
+             !cells_of[seeds[particle].first].empty();
     }
 
     /**
@@ -46,15 +47,16 @@ namespace Lahar
     struct Cell
     {
       Tensor<2, dim> to_barycentric; ///< maps x − origin to the barycentric coordinates 1 … dim
-      Point<dim>     origin;
-      Simplex<dim>   corners; ///< old indices
+      Point<dim> origin;
+      Simplex<dim> corners; ///< old indices
     };
 
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;
 
-    std::vector<Cell>                                  cells;
-    std::vector<std::vector<unsigned int>>             cells_of; ///< by old index
-    std::vector<std::pair<unsigned int, unsigned int>> seeds;    ///< by new index: old index (twice) or the parents'
+    std::vector<Cell> cells;
+    std::vector<std::vector<unsigned int>> cells_of; ///< by old index
+    std::vector<std::pair<unsigned int, unsigned int>>
+      seeds; ///< by new index: old index (twice) or the parents'
   };
 } // namespace Lahar
 

@@ -113,8 +113,8 @@ namespace Lahar
     FluidState<dim> state;
 
     std::vector<Simplex<dim>> numbered_cells;
-    std::vector<Tensor<1, dim>>          base_velocity, velocity_change;
-    std::vector<double>                  base_pressure, pressure_change;
+    std::vector<Tensor<1, dim>> base_velocity, velocity_change;
+    std::vector<double> base_pressure, pressure_change;
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;

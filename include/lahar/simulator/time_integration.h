@@ -22,7 +22,7 @@ namespace Lahar
   {
   public:
     static void declare_parameters(Parameters &prm);
-    void        parse_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
 
     /// Begin a step of length @p time_step (s); @p is_first as said above.
     void start_step(const double time_step, const bool is_first);
@@ -45,7 +45,7 @@ namespace Lahar
     }
 
   private:
-    bool   newmark       = true;
+    bool newmark         = true;
     double newmark_gamma = 0.7;
     double gamma         = 1.;
     double time_step     = 0.;

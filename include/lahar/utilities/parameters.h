@@ -31,7 +31,8 @@ namespace Lahar
     double get_number(const std::string &entry) const;
 
     /// A whole number in [@p lower, @p upper]; InputError otherwise.
-    unsigned int get_count(const std::string &entry, const unsigned int lower, const unsigned int upper) const;
+    unsigned int get_count(const std::string &entry, const unsigned int lower,
+                           const unsigned int upper) const;
 
     /// A finite number above zero (or, with @p allow_zero, not below); InputError otherwise.
     double get_positive(const std::string &entry, const bool allow_zero = false) const;
