@@ -65,13 +65,15 @@ namespace Lahar
   {
     FluidCell<dim> cell;
     state.stabilization.resize(mesh.n_cells());
+    state.stabilization_viscosity.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
-      const double edge      = (dim == 2 ? std::sqrt(4. / std::sqrt(3.) * cell.volume)
-                                         : std::cbrt(6. * std::sqrt(2.) * cell.volume));
-      const double mu        = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
+      const double edge = (dim == 2 ? std::sqrt(4. / std::sqrt(3.) * cell.volume)
+                                    : std::cbrt(6. * std::sqrt(2.) * cell.volume));
+      const double mu   = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
+      state.stabilization_viscosity[c] = mu;
       state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.factors.time_step);
     }
   }
@@ -141,7 +143,6 @@ namespace Lahar
     const FICInterior<dim> fic_interior;
     const FICFreeSurface<dim> fic_free_surface;
     const ResidualStabilization<dim> residual_stabilization;
-    const PseudoBulkStiffness<dim> pseudo_bulk_stiffness(linearization.pseudo_bulk_ratio);
 
     FluidCell<dim> cell;
     CellSystem<dim> cell_system;
@@ -157,7 +158,8 @@ namespace Lahar
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), linearization.motion);
       if (!(cell.volume > 0.))
         return false;
-      cell.stabilization = state.stabilization[c];
+      cell.stabilization           = state.stabilization[c];
+      cell.stabilization_viscosity = state.stabilization_viscosity[c];
       if (linearization.viscosity == ViscosityLinearization::primal_dual)
         cell.plastic_dual = state.plastic_dual[c];
 
@@ -170,8 +172,6 @@ namespace Lahar
         residual_stabilization.assemble(cell, cell_system);
       else
         fic_interior.assemble(cell, cell_system);
-      if (linearization.pseudo_bulk_ratio > 0.)
-        pseudo_bulk_stiffness.assemble(cell, cell_system);
 
       // Boundary faces come in the order of their cells.
       for (; face != mesh.boundary_faces().end() && face->cell == c; ++face)

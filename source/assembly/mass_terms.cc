@@ -124,7 +124,7 @@ namespace Lahar
     const Tensor<1, dim> Gk   = G[k];
     const double Gk_square    = Gk.norm_square();
     const double rho          = cell.law->density();
-    const double viscosity    = cell.law->effective_viscosity(cell.strain_rate).value;
+    const double viscosity    = cell.stabilization_viscosity;
     const double tau_V        = cell.stabilization * cell.volume;
     const Tensor<1, dim> d_Gk = cell.deviator * Gk;
     const double Gk_d_Gk      = Gk * d_Gk;

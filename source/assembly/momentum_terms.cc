@@ -134,28 +134,10 @@ namespace Lahar
 
 
 
-  template <int dim>
-  void PseudoBulkStiffness<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
-  {
-    using S           = CellSystem<dim>;
-    const double size = std::pow((dim == 2 ? 2. : 6.) * cell.volume, 2. / dim);
-    const double k_V  = ratio * cell.law->density() * size / cell.factors.time_step * cell.volume;
-    for (unsigned int I = 0; I <= dim; ++I)
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int J = 0; J <= dim; ++J)
-          for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += k_V * cell.gradients[I][a] *
-                                                             cell.gradients[J][b];
-  }
-
-
-
   template struct Inertia<2>;
   template struct Inertia<3>;
   template struct BodyForce<2>;
   template struct BodyForce<3>;
   template class ViscousStress<2>;
   template class ViscousStress<3>;
-  template class PseudoBulkStiffness<2>;
-  template class PseudoBulkStiffness<3>;
 } // namespace Lahar

@@ -267,16 +267,32 @@ namespace Lahar
   unsigned int DirectSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
                                               Vector &solution)
   {
-    const Epetra_CrsMatrix &matrix = system.matrix().block(b, b).trilinos_matrix();
-    Factorization &factorization   = blocks[b];
-    if (factorization.pattern != system.pattern_number())
-      factorization.analyse(std::make_unique<Epetra_CrsMatrix>(matrix), package, system.pattern_number());
+    Factorization factorization;
+    if (b == 0)
+      factorization.analyse(std::make_unique<Epetra_CrsMatrix>(system.matrix().block(0, 0).trilinos_matrix()),
+                            package, 0);
     else
     {
-      int *row_start, *columns;
-      double *values;
-      factorization.matrix->ExtractCrsDataPointers(row_start, columns, values);
-      std::copy(system.values(b, b), system.values(b, b) + matrix.NumMyNonzeros(), values);
+      // S = H − C diag(K)⁻¹ Q
+      TrilinosWrappers::MPI::Vector inverse_diagonal(system.right_hand_side().block(0));
+      for (auto &entry : inverse_diagonal)
+        entry = 0.;
+      for (unsigned int i = 0; i < inverse_diagonal.size(); ++i)
+        inverse_diagonal(i) = -1. / system.matrix().block(0, 0).diag_element(i);
+      inverse_diagonal.compress(VectorOperation::insert);
+      TrilinosWrappers::SparseMatrix product;
+      system.matrix().block(1, 0).mmult(product, system.matrix().block(0, 1), inverse_diagonal);
+
+      auto schur                = std::make_unique<Epetra_CrsMatrix>(product.trilinos_matrix());
+      const Epetra_CrsMatrix &H = system.matrix().block(1, 1).trilinos_matrix();
+      for (int row = 0; row < H.NumMyRows(); ++row)
+      {
+        int n_entries, *columns;
+        double *values;
+        H.ExtractMyRowView(row, n_entries, values, columns);
+        schur->SumIntoMyValues(row, n_entries, values, columns);
+      }
+      factorization.analyse(std::move(schur), package, 0);
     }
     factorization.factorize();
 

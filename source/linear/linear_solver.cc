@@ -7,8 +7,6 @@ namespace Lahar
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.declare_entry("Type", "direct", Patterns::Anything(),
-                      "Solver of the linear systems: 'direct' or 'iterative'.");
     DirectSolver<dim>::declare_parameters(prm);
     prm.leave_subsection();
   }

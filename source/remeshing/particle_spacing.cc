@@ -33,7 +33,7 @@ namespace Lahar
     {
     public:
       SurfaceChain(const FluidMesh<2> &mesh, const unsigned int n_particles)
-        : links(n_particles, {none, none})
+        : links(n_particles, {{none, none}})
       {
         for (const BoundaryFace &face : mesh.boundary_faces())
           if (face.free_surface)

@@ -28,7 +28,7 @@ namespace Lahar
     prm.declare_entry(
       "Scheme", "coupled", Patterns::Anything(),
       "'coupled': Newton's method for velocity and pressure together; 'segregated': velocity first, then "
-      "pressure (Franci & Zhang 2018).");
+      "pressure; for Newtonian fluids.");
     prm.declare_entry(
       "Viscosity linearization", "primal-dual", Patterns::Anything(),
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
@@ -38,10 +38,6 @@ namespace Lahar
       "Largest relative increment of velocity and pressure in the last iteration, above 0 and below 1.");
     prm.declare_entry("Maximum iterations", "30", Patterns::Anything(),
                       "A step that needs more iterations has failed, 1 to 1000.");
-    prm.declare_entry(
-      "Pseudo bulk modulus ratio", "0.2", Patterns::Anything(),
-      "'segregated': the pseudo bulk modulus κ_p of the velocity step times Δt² over ρ h², zero or above. "
-      "It changes the convergence, not the solution.");
     prm.leave_subsection();
   }
 
@@ -55,7 +51,7 @@ namespace Lahar
     if (prm.get("Scheme") == "coupled")
       scheme = std::make_unique<CoupledScheme<dim>>();
     else if (prm.get("Scheme") == "segregated")
-      scheme = std::make_unique<SegregatedScheme<dim>>(prm.get_positive("Pseudo bulk modulus ratio", true));
+      scheme = std::make_unique<SegregatedScheme<dim>>();
     else
       prm.throw_wrong_value("Scheme", "coupled|segregated");
 
@@ -158,9 +154,8 @@ namespace Lahar
   void SegregatedScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report) const
   {
     typename NonlinearScheme<dim>::Linearization linearization;
-    linearization.viscosity         = this->viscosity_linearization(problem);
-    linearization.motion            = false;
-    linearization.pseudo_bulk_ratio = pseudo_bulk_ratio;
+    linearization.viscosity = this->viscosity_linearization(problem);
+    linearization.motion    = false;
 
     problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();

@@ -28,10 +28,10 @@ struct Case
     prm.leave_subsection();
     InitialGeometry geometry;
     geometry.parse_parameters(prm);
-    geometry.create(h, cloud, walls);
+    const std::vector<bool> wet = geometry.create(h, cloud, walls);
     Remesher<2> remesher;
     parse(remesher);
-    remesher.create_mesh(cloud, walls, mesh);
+    remesher.create_mesh(cloud, walls, wet, mesh);
   }
 
   double nearest_distance() const

@@ -60,7 +60,7 @@ bool contains(const FluidMesh<2> &mesh, const ParticleCloud<2> &cloud, const Poi
 
 double created_volume(const ParticleCloud<2> &cloud, FluidMesh<2> &mesh, const Walls<2> &walls = Walls<2>())
 {
-  remesher<2>("plain").create_mesh(cloud, walls, mesh);
+  remesher<2>("plain").create_mesh(cloud, walls, std::vector<bool>(cloud.size(), true), mesh);
   return mesh.volume(cloud);
 }
 
@@ -325,7 +325,7 @@ void test_3d()
       }
   const unsigned int isolated = cloud.append({3., 3., 3.}, ParticleKind::fluid, h);
   FluidMesh<3> mesh;
-  remesher<3>("advected").create_mesh(cloud, Walls<3>(), mesh);
+  remesher<3>("advected").create_mesh(cloud, Walls<3>(), std::vector<bool>(cloud.size(), true), mesh);
   check("3D: the mesh fills the cube", mesh.volume(cloud) / std::pow(n * h, 3) - 1., 1e-2);
   check("3D: a particle far away is isolated", mesh.particles().back() < isolated);
   for (Point<3> &p : cloud.position)

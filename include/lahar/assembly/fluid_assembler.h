@@ -24,14 +24,13 @@ namespace Lahar
       ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
       double plastic_weight            = 1.;   ///< factor of the plastic part's derivative
       bool motion                      = true; ///< the dependence of the geometry on the velocity
-      double pseudo_bulk_ratio         = 0.;   ///< PseudoBulkStiffness of the segregated scheme
     };
 
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
     /**
-     * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, with h the edge of the equilateral simplex of the
+     * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, h the edge of the equilateral simplex of the
      * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step.
      */
     void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;

@@ -52,8 +52,9 @@ namespace Lahar
     std::array<Tensor<1, dim>, dim> w; ///< w_b
     StepFactors factors;
     Tensor<1, dim> gravity;
-    const FluidLaw *law  = nullptr;
-    double stabilization = 0.;            ///< τ_s, m³ s/kg
+    const FluidLaw *law            = nullptr;
+    double stabilization           = 0.;  ///< τ_s, m³ s/kg
+    double stabilization_viscosity = 0.;  ///< viscosity in the stabilisation terms, Pa s
     SymmetricTensor<2, dim> plastic_dual; ///< Λ of the primal–dual Newton scheme
 
     /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.

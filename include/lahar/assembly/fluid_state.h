@@ -12,7 +12,7 @@ namespace Lahar
 {
   /**
    * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
-   * by cell the dual variable Λ of the primal–dual Newton scheme and the stabilisation parameter τ_s.
+   * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in it.
    */
   template <int dim>
   struct FluidState
@@ -25,7 +25,7 @@ namespace Lahar
     std::vector<Tensor<1, dim>> velocity, acceleration;
     std::vector<double> pressure;
 
-    std::vector<double> stabilization;
+    std::vector<double> stabilization, stabilization_viscosity;
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
 
     StepFactors factors;

@@ -77,8 +77,8 @@ namespace Lahar
 
   /**
    * FIC stabilisation on the free surface, where t = 0:
-   * R_I += ∫_Γ (2 τ_s/h_n) N_I p − ∫_Γ τ_s N_I (ρ a·n − (2/h_n) 2 μ_eff n·d'·n), h_n the cell's height over the face.
-   * The viscosity is held fixed in the Jacobian.
+   * R_I += ∫_Γ (2 τ_s/h_n) N_I p − ∫_Γ τ_s N_I (ρ a·n − (2/h_n) 2 μ n·d'·n), h_n the cell's height over the face.
+   * μ is the viscosity that enters τ_s too, constant during a step.
    */
   template <int dim>
   struct FICFreeSurface
@@ -97,24 +97,6 @@ namespace Lahar
   struct ResidualStabilization
   {
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
-  };
-
-  /**
-   * Pseudo-volumetric stiffness of the segregated scheme: K += ∫ Bᵀ (Δt κ_p 1⊗1) B. It stands in the Jacobian only.
-   */
-  template <int dim>
-  class PseudoBulkStiffness
-  {
-  public:
-    /// @param ratio κ_p Δt over ρ h²/Δt, the size at which it weighs as much as the mass.
-    explicit PseudoBulkStiffness(const double ratio)
-      : ratio(ratio)
-    {}
-
-    void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
-
-  private:
-    double ratio;
   };
 } // namespace Lahar
 

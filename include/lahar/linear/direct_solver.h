@@ -58,8 +58,8 @@ namespace Lahar
 
     std::string package         = "Amesos_Mumps";
     double tolerance            = 1e-3;
-    unsigned int max_iterations = 10;
-    Factorization whole, blocks[2];
+    unsigned int max_iterations = 12;
+    Factorization whole;
   };
 } // namespace Lahar
 

@@ -31,7 +31,7 @@ namespace Lahar
     virtual unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
                                const double pressure_scale, Vector &solution) = 0;
 
-    /// Solve with diagonal block @p b alone: (b, b) x_b = rhs_b. The other part of @p solution stays as it is.
+    /// Solve for one part alone, K x_0 = rhs_0 or S x_1 = rhs_1, S = H − C diag(K)⁻¹ Q. The other part stays as it is.
     virtual unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b,
                                      Vector &solution) = 0;
 

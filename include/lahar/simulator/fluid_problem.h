@@ -39,7 +39,7 @@ namespace Lahar
     /// Solve the coupled system for the increments. @return linear iterations.
     unsigned int solve();
 
-    /// Solve with diagonal block @p b (0: velocities, 1: pressures) alone. The other increments are zero.
+    /// Solve for the velocities (@p b = 0) or the pressures (1) alone, see LinearSolver. The other increments are zero.
     unsigned int solve_block(const unsigned int b);
 
     /**

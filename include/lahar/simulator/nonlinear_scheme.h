@@ -23,7 +23,9 @@ namespace Lahar
    *
    * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
    *   the chosen ViscosityLinearization.
-   * - SegregatedScheme (Franci & Zhang 2018): K δv = −R_v, update of velocities and geometry, then H δp = −R_p.
+   * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q.
+   *   Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk modulus in K; with S no such parameter is
+   *   needed. It converges for Newtonian fluids; plugs, where diag(K)⁻¹ says little about K⁻¹, are for CoupledScheme.
    */
   template <int dim>
   class NonlinearScheme
@@ -70,16 +72,8 @@ namespace Lahar
   template <int dim>
   class SegregatedScheme : public NonlinearScheme<dim>
   {
-  public:
-    explicit SegregatedScheme(const double pseudo_bulk_ratio)
-      : pseudo_bulk_ratio(pseudo_bulk_ratio)
-    {}
-
   protected:
     void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const override;
-
-  private:
-    double pseudo_bulk_ratio;
   };
 } // namespace Lahar
 
