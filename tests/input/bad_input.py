@@ -112,7 +112,6 @@ def test_refused():
     wrong("Nonlinear solver/Viscosity linearization", "quasi", "picard", "newton", "primal-dual")
     wrong("Stabilization/Form", "fic", "FIC", "residual")
     wrong("Remeshing/Alpha shape/Rule", "alpha", "plain", "advected")
-    wrong("Linear solver/Type", "magic", "direct")
     wrong("Linear solver/Direct/Package", "Pardiso", "MUMPS", "KLU")
     wrong("Time integration", "RK4", "Newmark", "backward Euler")
 

@@ -58,9 +58,12 @@ bool contains(const FluidMesh<2> &mesh, const ParticleCloud<2> &cloud, const Poi
   return false;
 }
 
-double created_volume(const ParticleCloud<2> &cloud, FluidMesh<2> &mesh, const Walls<2> &walls = Walls<2>())
+// All particles are wet unless said otherwise.
+double created_volume(const ParticleCloud<2> &cloud, FluidMesh<2> &mesh, const Walls<2> &walls = Walls<2>(),
+                      std::vector<bool> wet = std::vector<bool>())
 {
-  remesher<2>("plain").create_mesh(cloud, walls, std::vector<bool>(cloud.size(), true), mesh);
+  wet.resize(cloud.size(), true);
+  remesher<2>("plain").create_mesh(cloud, walls, wet, mesh);
   return mesh.volume(cloud);
 }
 
@@ -217,7 +220,10 @@ void test_rules()
       level = level && centroid<2>(corners_of<2>(cell, column.position))[1] < 0.5;
     return level;
   };
-  created_volume(column, mesh);
+  std::vector<bool> wet;
+  for (const Point<2> &p : column.position)
+    wet.push_back(p[1] < 0.5 + 1e-10);
+  created_volume(column, mesh, Walls<2>(), wet);
   check("first mesh: a level fluid does not climb dry walls", is_level());
   std::vector<Simplex<2>> below;
   for (const Simplex<2> &cell : mesh.particle_cells())
@@ -240,7 +246,7 @@ void test_rules()
   remesher<2>("advected").remesh(stretched, Walls<2>(), 1e-3, mesh);
   check("advected: a stretched fluid keeps its volume", mesh.volume(stretched) - 1.45, 1e-10);
 
-  // Fluid particles that come near each other merge late, those of one domain stay together.
+  // Fluid particles that move towards each other merge late, those of one domain stay together.
   for (const double gap : {0.95 * h, 0.6 * h})
   {
     ParticleCloud<2> two;
@@ -250,6 +256,8 @@ void test_rules()
     for (Point<2> &p : two.position)
       if (p[0] > 0.9)
         p[0] -= 0.5 - gap;
+    for (unsigned int i = 0; i < two.size(); ++i)
+      two.velocity[i][0] = two.position[i][0] > 0.5 + 0.5 * gap ? -1. : 0.;
     ParticleCloud<2> plain(two);
     FluidMesh<2> plain_mesh;
     plain_mesh.reinit(plain, mesh.particle_cells());
