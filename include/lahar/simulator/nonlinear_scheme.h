@@ -23,6 +23,8 @@ namespace Lahar
    *
    * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
    *   the chosen ViscosityLinearization.
+   *   The derivative of the plastic part is weakened a little while the increments are large, and a step that overshoots,
+   *   as the work of the residual along the increment tells, is shortened by a line search.
    * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q.
    *   Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk modulus in K; with S no such parameter is
    *   needed. It converges for Newtonian fluids; plugs, where diag(K)⁻¹ says little about K⁻¹, are for CoupledScheme.
