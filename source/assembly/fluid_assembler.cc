@@ -54,6 +54,7 @@ namespace Lahar
       cell.pressure[I]          = state.pressure[vertices[I]];
       cell.old_pressure[I]      = state.old_pressure[vertices[I]];
       cell.old_pressure_rate[I] = state.old_pressure_rate[vertices[I]];
+      cell.position_factor[I]   = state.position_factor[vertices[I]];
     }
   }
 

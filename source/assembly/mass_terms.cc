@@ -11,7 +11,6 @@ namespace Lahar
     const double V       = cell.volume;
     const double p       = cell.mean_pressure();
     const double div     = trace(cell.velocity_gradient);
-    const double s_V     = cell.motion * V;
 
     for (unsigned int I = 0; I < n; ++I)
     {
@@ -22,8 +21,9 @@ namespace Lahar
       for (unsigned int J = 0; J < n; ++J)
         for (unsigned int b = 0; b < dim; ++b)
         {
+          const double s_V = cell.motion[J] * V;
           system.matrix[S::index(I, b)][S::pressure_index(J)] += V / n * G[I][b];
-          system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * (cell.w[b] * G[J]) +
+          system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * (cell.w[J][b] * G[J]) +
                                                                  s_V / n * G[J][b] * div;
           for (unsigned int a = 0; a < dim; ++a)
             system.matrix[S::index(I, a)][S::index(J, b)] += s_V * p *
@@ -44,7 +44,7 @@ namespace Lahar
         system.residual[S::pressure_index(I)] += V * rate;
         for (unsigned int J = 0; J < n; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += s_V * G[J][b] * rate;
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion[J] * V * G[J][b] * rate;
       }
   }
 
@@ -77,7 +77,7 @@ namespace Lahar
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::pressure_index(I)][S::index(J, b)] +=
               tau_V *
-              (-mass_factor * G[I][b] + cell.motion * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
+              (-mass_factor * G[I][b] + cell.motion[J] * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
         }
       }
     }
@@ -106,7 +106,7 @@ namespace Lahar
         system.residual[S::pressure_index(I)] += cell.volume * rate;
         for (unsigned int J = 0; J <= dim; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * cell.volume *
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion[J] * cell.volume *
                                                                    cell.gradients[J][b] * rate;
       }
   }
@@ -155,12 +155,12 @@ namespace Lahar
         for (unsigned int b = 0; b < dim; ++b)
         {
           // δ(d'): sym(w_b ⊗ G_J) less a third of its trace; δG_k = −s G_kb G_J.
-          const double deviatoric = (cell.w[b] * Gk) * Gk_GJ - (cell.w[b] * G[J]) * Gk_square / 3.;
+          const double deviatoric = (cell.w[J][b] * Gk) * Gk_GJ - (cell.w[J][b] * G[J]) * Gk_square / 3.;
           double entry            = c_d * deviatoric;
           if (J != k)
             entry += c_a * cell.face_mass(I, J) * cell.factors.acceleration_factor * Gk[b];
-          entry += cell.motion * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
-                                                                2. * c_d * (d_Gk * G[J])));
+          entry += cell.motion[J] * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
+                                                                   2. * c_d * (d_Gk * G[J])));
           system.matrix[S::pressure_index(I)][S::index(J, b)] += entry;
         }
       }

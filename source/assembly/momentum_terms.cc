@@ -24,7 +24,7 @@ namespace Lahar
           system.matrix[S::index(I, a)][S::index(J, a)] += mass * cell.mass(I, J) *
                                                            cell.factors.acceleration_factor;
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion[J] * cell.gradients[J][b] * force[a];
         }
       }
     }
@@ -43,7 +43,7 @@ namespace Lahar
         system.residual[S::index(I, a)] += force[a];
         for (unsigned int J = 0; J <= dim; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion[J] * cell.gradients[J][b] * force[a];
       }
   }
 
@@ -104,7 +104,6 @@ namespace Lahar
     const auto &G                        = cell.gradients;
     const double mu_V                    = tangent.viscosity * cell.volume;
     const double c_V                     = tangent.coefficient * cell.volume;
-    const double s_V                     = cell.motion * cell.volume;
 
     std::array<Tensor<1, dim>, n> traction, A, B;
     for (unsigned int I = 0; I < n; ++I)
@@ -119,13 +118,14 @@ namespace Lahar
     for (unsigned int J = 0; J < n; ++J)
       for (unsigned int b = 0; b < dim; ++b)
       {
-        const double w_G = cell.w[b] * G[J], w_A = cell.w[b] * A[J], w_B = cell.w[b] * B[J];
+        const Tensor<1, dim> &w = cell.w[J][b];
+        const double w_G = w * G[J], w_A = w * A[J], w_B = w * B[J], s_V = cell.motion[J] * cell.volume;
         for (unsigned int I = 0; I < n; ++I)
         {
-          const double w_GI = cell.w[b] * G[I], GG = G[I] * G[J];
+          const double w_GI = w * G[I], GG = G[I] * G[J];
           for (unsigned int a = 0; a < dim; ++a)
             system.matrix[S::index(I, a)][S::index(J, b)] +=
-              mu_V * (cell.w[b][a] * GG + w_GI * G[J][a] - 2. / 3. * w_G * G[I][a]) +
+              mu_V * (w[a] * GG + w_GI * G[J][a] - 2. / 3. * w_G * G[I][a]) +
               c_V * (A[I][a] * w_B + B[I][a] * w_A) +
               s_V * (G[J][b] * traction[I][a] - traction[J][a] * G[I][b]);
         }

@@ -49,6 +49,18 @@ namespace Lahar
       return sum;
     }
 
+    /// The circumradius, but of a simplex that is flat rather than large the longest edge: a particle close to a wall
+    /// must not lose its contact.
+    template <int dim>
+    double extent(const SimplexCorners<dim> &corners)
+    {
+      double longest = 0.;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = a + 1; b <= dim; ++b)
+          longest = std::max(longest, corners[a].distance(corners[b]));
+      return std::min(circumradius<dim>(corners), longest);
+    }
+
     template <int dim>
     bool crosses_wall(const SimplexCorners<dim> &corners, const double h, const Walls<dim> &walls)
     {
@@ -110,37 +122,45 @@ namespace Lahar
 
 
   template <int dim>
-  bool AlphaShape<dim>::accepts(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
-                                const Walls<dim> &walls, const OldDomain<dim> &old_domain,
-                                const double time_step) const
+  typename AlphaShape<dim>::Verdict
+  AlphaShape<dim>::judge(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
+                         const Walls<dim> &walls, const OldDomain<dim> &old_domain,
+                         const double time_step) const
   {
-    if (!advected)
-      return accepts_plain(simplex, cloud, walls);
-
     const auto corners = corners_of<dim>(simplex, cloud.position);
-    const double h     = mean_spacing<dim>(simplex, cloud);
+    if (!advected)
+    {
+      if (!accepts_plain(simplex, cloud, walls))
+        return Verdict::no_fluid;
+      return old_domain.contains(simplex, centroid<dim>(corners)) ? Verdict::stays_fluid
+                                                                  : Verdict::becomes_fluid;
+    }
+
+    const double h = mean_spacing<dim>(simplex, cloud);
     if (is_excluded<dim>(simplex, corners, h, cloud))
-      return false;
-    const double radius = circumradius<dim>(corners);
-    if (radius >= alpha_keep * h)
-      return false;
+      return Verdict::no_fluid;
+    const double size = extent<dim>(corners);
+    if (size >= alpha_keep * h)
+      return Verdict::no_fluid;
     if (old_domain.contains(simplex, centroid<dim>(corners)))
-      return true;
+      return Verdict::stays_fluid;
 
     if (crosses_wall<dim>(corners, h, walls))
-      return false;
+      return Verdict::no_fluid;
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
-    return touches_wall ? is_arriving(simplex, corners, radius, h, cloud, old_domain, time_step)
-                        : radius < alpha_merge * h && shrinkage<dim>(simplex, corners, cloud) > 0.;
+    const bool arrives = touches_wall ? is_arriving(simplex, corners, size, h, cloud, old_domain, time_step)
+                                      : circumradius<dim>(corners) < alpha_merge * h &&
+                                          shrinkage<dim>(simplex, corners, cloud) > 0.;
+    return arrives ? Verdict::becomes_fluid : Verdict::no_fluid;
   }
 
 
 
   template <int dim>
   bool AlphaShape<dim>::is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
-                                    const double radius, const double h, const ParticleCloud<dim> &cloud,
+                                    const double size, const double h, const ParticleCloud<dim> &cloud,
                                     const OldDomain<dim> &old_domain, const double time_step) const
   {
     // The gap between the fluid's and the wall's corners: the sum of the fluid's shape functions rises from 0 to 1 in it.
@@ -151,10 +171,10 @@ namespace Lahar
         rise += gradients[c];
     const double gap       = 1. / rise.norm();
     const double shrinking = shrinkage<dim>(simplex, corners, cloud);
-    if (shrinking > 0. && (gap < landing_gap * h || shrinking * time_step > landing_shrinkage))
+    if (shrinking >= 0. && (gap < landing_gap * h || shrinking * time_step > landing_shrinkage))
       return true;
 
-    if (radius >= alpha * h || gap >= spreading_gap * h)
+    if (size >= alpha * h || gap >= spreading_gap * h)
       return false;
     bool any_wet = false;
     for (unsigned int dry = 0; dry <= dim; ++dry)

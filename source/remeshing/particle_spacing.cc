@@ -11,6 +11,20 @@ namespace Lahar
     /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface.
     constexpr double surface_to_wall = 0.3;
 
+    /// A particle nearer to a no-slip wall than this times h gives way.
+    constexpr double smallest_gap = 0.1;
+
+    template <int dim>
+    bool is_at_wall(const Point<dim> &position, const double h, const Walls<dim> &walls)
+    {
+      for (const unsigned int facet : walls.near(position, smallest_gap * h))
+        if (!walls.facets()[facet].slip &&
+            std::abs(walls.signed_distance(facet, position)) < smallest_gap * h &&
+            walls.is_above(facet, position, 0.))
+          return true;
+      return false;
+    }
+
     using Edge = std::pair<unsigned int, unsigned int>;
 
     /// Every edge of the mesh once, as particle indices.
@@ -122,7 +136,8 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<bool> ParticleSpacing<dim>::find_removals(ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+  std::vector<bool> ParticleSpacing<dim>::find_removals(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                                        const FluidMesh<dim> &mesh,
                                                         const std::vector<Edge> &edges) const
   {
     const std::vector<bool> on_surface = mesh.on_free_surface(cloud.size());
@@ -135,6 +150,10 @@ namespace Lahar
     };
 
     std::vector<bool> removed(cloud.size(), false), merged(cloud.size(), false);
+    for (const unsigned int i : mesh.particles())
+      removed[i] = cloud.kind[i] == ParticleKind::fluid &&
+                   is_at_wall(cloud.position[i], cloud.spacing[i], walls);
+
     std::unique_ptr<SurfaceChain> chain;
     for (const auto &[a, b] : edges)
     {
@@ -210,11 +229,11 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
-                                   OldDomain<dim> &old_domain) const
+  void ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                   const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain) const
   {
     const std::vector<Edge> edges    = edges_of<dim>(mesh);
-    std::vector<bool> removed        = find_removals(cloud, mesh, edges);
+    std::vector<bool> removed        = find_removals(cloud, walls, mesh, edges);
     const std::vector<Edge> inserted = find_insertions(cloud, edges, removed);
     if (inserted.empty() && std::find(removed.begin(), removed.end(), true) == removed.end())
       return;

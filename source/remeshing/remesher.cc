@@ -43,16 +43,27 @@ namespace Lahar
 
   template <int dim>
   bool Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
-                             FluidMesh<dim> &mesh) const
+                             FluidMesh<dim> &mesh, std::vector<bool> &arrives) const
   {
     OldDomain<dim> old_domain(cloud, mesh);
-    particle_spacing.adapt(cloud, mesh, old_domain);
+    particle_spacing.adapt(cloud, walls, mesh, old_domain);
 
     std::vector<Simplex<dim>> cells;
+    std::vector<bool> arriving(cloud.size(), false);
     for (const Simplex<dim> &simplex : delaunay<dim>(cloud.position))
-      if (alpha_shape.accepts(simplex, cloud, walls, old_domain, time_step))
+    {
+      const auto verdict = alpha_shape.judge(simplex, cloud, walls, old_domain, time_step);
+      if (verdict != AlphaShape<dim>::Verdict::no_fluid)
         cells.push_back(simplex);
-    return mesh.reinit(cloud, cells);
+      if (verdict == AlphaShape<dim>::Verdict::becomes_fluid)
+        for (const unsigned int particle : simplex)
+          arriving[particle] = true;
+    }
+    const bool changed = mesh.reinit(cloud, cells);
+    arrives.clear();
+    for (const unsigned int particle : mesh.particles())
+      arrives.push_back(arriving[particle]);
+    return changed;
   }
 
 

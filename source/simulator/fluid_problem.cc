@@ -35,7 +35,8 @@ namespace Lahar
   template <int dim>
   void FluidProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
                                      const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
-                                     const Tensor<1, dim> &new_gravity, const TimeIntegration &integration)
+                                     const Tensor<1, dim> &new_gravity, const TimeIntegration &integration,
+                                     const std::vector<bool> &arrives)
   {
     mesh             = &new_mesh;
     fluid_law        = &law;
@@ -61,7 +62,10 @@ namespace Lahar
     gather(cloud.acceleration, state.old_acceleration);
     gather(cloud.pressure, state.old_pressure);
     gather(cloud.pressure_rate, state.old_pressure_rate);
-    state.factors      = time_integration.factors();
+    state.factors = time_integration.factors();
+    state.position_factor.resize(mesh->n_vertices());
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      state.position_factor[v] = time_integration.position_factor(arrives[v]);
     state.pressure     = state.old_pressure;
     state.velocity     = state.old_velocity;
     state.position     = state.old_position;
@@ -92,8 +96,9 @@ namespace Lahar
     {
       state.acceleration[v] = time_integration.acceleration(state.velocity[v], state.old_velocity[v],
                                                             state.old_acceleration[v]);
-      state.position[v]     = state.old_position[v] +
-                          time_integration.displacement(state.velocity[v], state.old_velocity[v]);
+      state.position[v]     = state.old_position[v] + time_integration.displacement(state.velocity[v],
+                                                                                    state.old_velocity[v],
+                                                                                    state.position_factor[v]);
     }
   }
 

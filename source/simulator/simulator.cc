@@ -56,6 +56,7 @@ namespace Lahar
     set_initial_velocities();
     slip_condition.initialize(particles);
     remesher.create_mesh(particles, walls, wet, fluid_mesh);
+    arrives.assign(fluid_mesh.n_vertices(), false);
     if (fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
@@ -151,7 +152,7 @@ namespace Lahar
     if (step_number > 0)
     {
       TimerOutput::Scope scope(timer, "Remesh");
-      remeshed                = remesher.remesh(particles, walls, time_step, fluid_mesh);
+      remeshed                = remesher.remesh(particles, walls, time_step, fluid_mesh, arrives);
       const double new_volume = fluid_mesh.volume(particles);
       change_by_remeshing += (new_volume - volume) / initial_volume;
       volume = new_volume;
@@ -165,7 +166,7 @@ namespace Lahar
       try
       {
         time_integration.start_step(time_step, step_number == 0);
-        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration);
+        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration, arrives);
         report   = scheme->solve(problem);
         accepted = true;
       }

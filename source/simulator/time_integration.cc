@@ -36,6 +36,6 @@ namespace Lahar
 
   StepFactors TimeIntegration::factors() const
   {
-    return {time_step, newmark ? 0.5 * time_step : time_step, 1. / (gamma * time_step)};
+    return {time_step, 1. / (gamma * time_step)};
   }
 } // namespace Lahar

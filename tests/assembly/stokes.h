@@ -33,7 +33,8 @@ namespace Tests
       state.velocity = state.acceleration = state.old_velocity = state.old_acceleration =
         std::vector<Tensor<1, dim>>(n);
       state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(n, 0.);
-      state.factors                                                 = {time_step, 0., 0.};
+      state.factors                                                 = {time_step, 0.};
+      state.position_factor                                         = std::vector<double>(n, 0.);
       constraints.resize(n);
       system.reinit(n, mesh.cells());
       assembler.set_stabilization(mesh, law, state);

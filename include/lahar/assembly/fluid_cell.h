@@ -12,11 +12,10 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// The derivatives of position and acceleration at the end of the step with respect to the velocity there, and Δt.
+  /// Δt, and the derivative of the acceleration at the end of the step with respect to the velocity there.
   struct StepFactors
   {
     double time_step           = 0.; ///< Δt, s
-    double position_factor     = 0.; ///< ∂x/∂v, s
     double acceleration_factor = 0.; ///< ∂a/∂v, 1/s
   };
 
@@ -24,11 +23,11 @@ namespace Lahar
    * What the terms of the weak form need to know of one linear simplex at the end of the step.
    *
    * G_I = ∇N_I and V are those of the present configuration, L = Σ v_I ⊗ G_I. When the velocity of node J changes in
-   * direction e_b, the node moves by s e_b, s = ∂x/∂v, so that
+   * direction e_b, the node moves by s_J e_b, s_J = ∂x_J/∂v_J, so that
    *
-   *   δV = s V G_Jb,   δG_I = −s G_Ib G_J,   δL = w_b ⊗ G_J with w_b = e_b − s L e_b.
+   *   δV = s_J V G_Jb,   δG_I = −s_J G_Ib G_J,   δL = w_Jb ⊗ G_J with w_Jb = e_b − s_J L e_b.
    *
-   * With s = 0 in #motion the terms leave the derivatives of the geometry out.
+   * With s_J = 0 in #motion the terms leave the derivatives of the geometry out.
    */
   template <int dim>
   struct FluidCell
@@ -48,8 +47,9 @@ namespace Lahar
     SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
     double strain_rate = 0.;          ///< γ̇ = sqrt(2 d':d')
 
-    double motion = 0.;                ///< s
-    std::array<Tensor<1, dim>, dim> w; ///< w_b
+    std::array<double, n_nodes> position_factor = {};       ///< ∂x_J/∂v_J, s
+    std::array<double, n_nodes> motion          = {};       ///< s_J: position_factor or zero
+    std::array<std::array<Tensor<1, dim>, dim>, n_nodes> w; ///< w_Jb
     StepFactors factors;
     Tensor<1, dim> gravity;
     const FluidLaw *law            = nullptr;

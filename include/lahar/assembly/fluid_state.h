@@ -20,6 +20,7 @@ namespace Lahar
     std::vector<Point<dim>> old_position;
     std::vector<Tensor<1, dim>> old_velocity, old_acceleration;
     std::vector<double> old_pressure, old_pressure_rate;
+    std::vector<double> position_factor; ///< s = ∂x/∂v, s
 
     std::vector<Point<dim>> position;
     std::vector<Tensor<1, dim>> velocity, acceleration;

@@ -19,7 +19,8 @@ namespace Lahar
    *
    * `advected`: the rule depends on where the simplex lies with respect to the old domain, the cells of the last mesh
    * carried along by the flow.
-   * - Inside it, a simplex stays fluid as long as R < α_keep h.
+   * - Inside it, a simplex stays fluid as long as R < α_keep h. Here and at walls, the longest edge counts instead of R
+   *   if it is shorter: a flat simplex between a particle and the wall before it stays.
    * - Outside it, a simplex of fluid particles only becomes fluid if R < α_merge h and it shrinks.
    * - Outside it, a simplex with wall particles becomes fluid if the fluid lands on the wall: it shrinks, and the gap
    *   between fluid and wall is below h/4 or closes within the next step (R < α_keep h).
@@ -32,6 +33,13 @@ namespace Lahar
   class AlphaShape
   {
   public:
+    enum class Verdict
+    {
+      no_fluid,
+      stays_fluid,  ///< inside the old domain
+      becomes_fluid ///< outside it
+    };
+
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
@@ -40,12 +48,12 @@ namespace Lahar
                        const Walls<dim> &walls) const;
 
     /// The rule chosen by the parameters. @p time_step (s) is the time that the velocities of the cloud will last.
-    bool accepts(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                 const OldDomain<dim> &old_domain, const double time_step) const;
+    Verdict judge(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                  const OldDomain<dim> &old_domain, const double time_step) const;
 
   private:
     /// Whether a simplex outside the old domain that touches a wall becomes fluid.
-    bool is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double radius,
+    bool is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double size,
                      const double h, const ParticleCloud<dim> &cloud, const OldDomain<dim> &old_domain,
                      const double time_step) const;
 

@@ -26,10 +26,11 @@ namespace Lahar
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted.
+     * @param arrives by vertex of the new mesh: whether it is a corner of a cell that was no fluid before.
      * @return whether the connectivity changed.
      */
     bool remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
-                FluidMesh<dim> &mesh) const;
+                FluidMesh<dim> &mesh, std::vector<bool> &arrives) const;
 
   private:
     AlphaShape<dim> alpha_shape;

@@ -26,12 +26,14 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Begin a step: take the state of the mesh's particles, guess the velocities v_n + Δt a_n and the pressures p_n.
+     * Begin a step: take the state of the mesh's particles; velocities and pressures start from the old ones.
      * @param constraints by vertex; the particles' velocities and accelerations obey them already.
+     * @param arrives by vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
      */
     void start_step(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                     const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
-                    const Tensor<1, dim> &gravity, const TimeIntegration &time_integration);
+                    const Tensor<1, dim> &gravity, const TimeIntegration &time_integration,
+                    const std::vector<bool> &arrives);
 
     /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
     void assemble(const Linearization &linearization);

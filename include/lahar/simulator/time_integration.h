@@ -15,7 +15,9 @@ namespace Lahar
    * γ = 1/2 is the trapezoidal rule of Franci & Zhang (2018). Incompressibility makes a differential-algebraic system of
    * index two, in which the rule multiplies what remeshing and impacts leave in div a by −(1−γ)/γ in every step: with
    * γ = 1/2 it never dies away and in the end destroys the flow. The trapezoidal displacement keeps volume to second
-   * order whatever γ is. The first step of a run has γ = 1, because the acceleration at rest does not obey
+   * order whatever γ is, provided that v_n is free of divergence. Where a cell has only just become fluid, because the
+   * fluid lands on a wall or on itself, v_n is not: it closes the gap. The vertices of such a cell move by Δt v in that
+   * one step, as in backward Euler. The first step of a run has γ = 1, because the acceleration at rest does not obey
    * incompressibility.
    */
   class TimeIntegration
@@ -37,11 +39,18 @@ namespace Lahar
       return 1. / (gamma * time_step) * (velocity - old_velocity) - (1. - gamma) / gamma * old_acceleration;
     }
 
-    /// x − x_n at the end of the step.
-    template <int dim>
-    Tensor<1, dim> displacement(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity) const
+    /// ∂x/∂v at the end of the step, s. @param arrives whether the particle is a corner of a cell that becomes fluid.
+    double position_factor(const bool arrives) const
     {
-      return newmark ? 0.5 * time_step * (old_velocity + velocity) : time_step * velocity;
+      return newmark && !arrives ? 0.5 * time_step : time_step;
+    }
+
+    /// x − x_n at the end of the step: s v + (Δt − s) v_n, s the position factor.
+    template <int dim>
+    Tensor<1, dim> displacement(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity,
+                                const double position_factor) const
+    {
+      return position_factor * velocity + (time_step - position_factor) * old_velocity;
     }
 
   private:
