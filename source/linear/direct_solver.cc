@@ -56,6 +56,7 @@ namespace Lahar
     list.set("PrintStatus", false);
     list.set("PrintTiming", false);
     list.set("OutputLevel", 0);
+    list.sublist("mumps").set("ICNTL(7)", 2);   // ordering by approximate minimum fill
     list.sublist("mumps").set("ICNTL(14)", 60); // working space in reserve, per cent
     solver->SetParameters(list);
     if (solver->SymbolicFactorization() != 0)

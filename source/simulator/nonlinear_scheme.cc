@@ -20,6 +20,10 @@ namespace Lahar
 
     /// Newton's whole derivative would overshoot in the segregated scheme, which has no line search.
     constexpr double segregated_plastic_weight = 0.5;
+
+    // diag(K) measures the viscous resistance by the mesh size. It is smaller against the smooth flow that a smooth
+    // pressure drives, so that only a part of the viscosity enters the diagonal in the Schur complement.
+    constexpr double schur_viscosity_weight = 0.05;
   } // namespace
 
 
@@ -174,7 +178,8 @@ namespace Lahar
     problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
 
-    linearization.viscosity = ViscosityLinearization::picard;
+    linearization.viscosity        = ViscosityLinearization::picard;
+    linearization.viscosity_weight = schur_viscosity_weight;
     problem.assemble(linearization);
     report.mass_residual = problem.mass_residual_norm();
     report.linear_iterations += problem.solve_block(1);
