@@ -1,5 +1,8 @@
 #include <deal.II/lac/solver_gmres.h>
 
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
 #include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/linear/schur_complement.h>
@@ -48,7 +51,11 @@ namespace Lahar
       data.constant_modes.assign(n_components, std::vector<bool>(matrix.m(), false));
       for (unsigned int i = 0; i < matrix.m(); ++i)
         data.constant_modes[i % n_components][i] = true;
-      preconditioner->initialize(matrix, data);
+      Teuchos::ParameterList list;
+      std::unique_ptr<Epetra_MultiVector> modes;
+      data.set_parameters(list, modes, matrix);
+      list.set("coarse: max size", 300); // larger ones cost more to factorise than a level more
+      preconditioner->initialize(matrix, list);
       return preconditioner;
     }
     auto preconditioner = std::make_unique<TrilinosWrappers::PreconditionILU>();
