@@ -16,9 +16,9 @@ namespace Lahar
    * for one block with K̃ or S̃. K̃⁻¹ and S̃⁻¹ are a cycle of algebraic multigrid (ML, smoothed aggregation with the
    * translations as modes, Chebyshev smoothers) or incomplete factors (Ifpack, ILU).
    *
-   * Why diag(K) will do where plugs make it differ much from K: the Schur complement H − C K⁻¹ Q lies between H and
-   * H − C M⁻¹ Q, M the inertia in K, and the stabilisation H is about as large as the second term, because its parameter
-   * is about Δt/(2ρ).
+   * Why diag(K) will do where plugs make it differ much from K: were C = −Qᵀ, the Schur complement H − C K⁻¹ Q would
+   * lie between H and H − C M⁻¹ Q, M the inertia in K, and the stabilisation H is about as large as the second term,
+   * because its parameter is about Δt/(2ρ).
    */
   template <int dim>
   class IterativeSolver : public LinearSolver<dim>
