@@ -1,11 +1,10 @@
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_gmres.h>
-
 #include <Amesos.h>
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
 
 #include <lahar/linear/direct_solver.h>
+#include <lahar/linear/scaled_gmres.h>
+#include <lahar/linear/schur_complement.h>
 
 namespace Lahar
 {
@@ -57,6 +56,7 @@ namespace Lahar
     list.set("PrintStatus", false);
     list.set("PrintTiming", false);
     list.set("OutputLevel", 0);
+    list.sublist("mumps").set("ICNTL(7)", 2);   // ordering by approximate minimum fill
     list.sublist("mumps").set("ICNTL(14)", 60); // working space in reserve, per cent
     solver->SetParameters(list);
     if (solver->SymbolicFactorization() != 0)
@@ -146,18 +146,6 @@ namespace Lahar
         }
       }
     }
-
-    /// D⁻¹ P⁻¹ A D with the factorisation P⁻¹ and the scales D: what GMRES sees.
-    template <typename Vector>
-    struct PreconditionedOperator
-    {
-      std::function<void(Vector &, const Vector &)> apply;
-
-      void vmult(Vector &y, const Vector &x) const
-      {
-        apply(y, x);
-      }
-    };
   } // namespace
 
 
@@ -211,7 +199,9 @@ namespace Lahar
   {
     if (tolerance > 0. && whole.pattern == system.pattern_number())
     {
-      const unsigned int n_iterations = solve_by_gmres(system, velocity_scale, pressure_scale, solution);
+      const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
+        system, [this](const Vector &x, Vector &y) { apply_whole(x, y); }, velocity_scale, pressure_scale,
+        tolerance, max_iterations, solution);
       if (n_iterations <= max_iterations)
         return n_iterations;
     }
@@ -223,77 +213,14 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int DirectSolver<dim>::solve_by_gmres(const BlockSystem<dim> &system, const double velocity_scale,
-                                                 const double pressure_scale, Vector &solution)
-  {
-    const auto scale = [&](Vector &vector, const double power) {
-      vector.block(0) *= std::pow(velocity_scale, power);
-      vector.block(1) *= std::pow(pressure_scale, power);
-    };
-
-    Vector scaled(solution), product(solution);
-    const PreconditionedOperator<Vector> matrix{[&](Vector &y, const Vector &x) {
-      scaled = x;
-      scale(scaled, 1.);
-      system.matrix().vmult(product, scaled);
-      apply_whole(product, y);
-      scale(y, -1.);
-    }};
-
-    Vector right_hand_side(solution);
-    apply_whole(system.right_hand_side(), right_hand_side);
-    scale(right_hand_side, -1.);
-
-    const double norm = right_hand_side.l2_norm();
-    SolverControl control(max_iterations, tolerance * norm, false, false);
-    SolverGMRES<Vector> gmres(control, typename SolverGMRES<Vector>::AdditionalData(max_iterations + 2));
-    solution = 0.;
-    try
-    {
-      if (norm > 0.)
-        gmres.solve(matrix, solution, right_hand_side, PreconditionIdentity());
-    }
-    catch (const SolverControl::NoConvergence &)
-    {
-      return max_iterations + 1;
-    }
-    scale(solution, 1.);
-    return control.last_step();
-  }
-
-
-
-  template <int dim>
   unsigned int DirectSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
                                               Vector &solution)
   {
     Factorization factorization;
-    if (b == 0)
-      factorization.analyse(std::make_unique<Epetra_CrsMatrix>(system.matrix().block(0, 0).trilinos_matrix()),
-                            package, 0);
-    else
-    {
-      // S = H − C diag(K)⁻¹ Q
-      TrilinosWrappers::MPI::Vector inverse_diagonal(system.right_hand_side().block(0));
-      for (auto &entry : inverse_diagonal)
-        entry = 0.;
-      for (unsigned int i = 0; i < inverse_diagonal.size(); ++i)
-        inverse_diagonal(i) = -1. / system.matrix().block(0, 0).diag_element(i);
-      inverse_diagonal.compress(VectorOperation::insert);
-      TrilinosWrappers::SparseMatrix product;
-      system.matrix().block(1, 0).mmult(product, system.matrix().block(0, 1), inverse_diagonal);
-
-      auto schur                = std::make_unique<Epetra_CrsMatrix>(product.trilinos_matrix());
-      const Epetra_CrsMatrix &H = system.matrix().block(1, 1).trilinos_matrix();
-      for (int row = 0; row < H.NumMyRows(); ++row)
-      {
-        int n_entries, *columns;
-        double *values;
-        H.ExtractMyRowView(row, n_entries, values, columns);
-        schur->SumIntoMyValues(row, n_entries, values, columns);
-      }
-      factorization.analyse(std::move(schur), package, 0);
-    }
+    factorization.analyse(b == 0 ? std::make_unique<Epetra_CrsMatrix>(
+                                     system.matrix().block(0, 0).trilinos_matrix())
+                                 : make_schur_complement(system),
+                          package, 0);
     factorization.factorize();
 
     const auto &rhs = system.right_hand_side().block(b);

@@ -1,4 +1,5 @@
 #include <lahar/linear/direct_solver.h>
+#include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/linear_solver.h>
 
 namespace Lahar
@@ -7,7 +8,10 @@ namespace Lahar
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
+    prm.declare_entry("Type", "direct", Patterns::Anything(),
+                      "'direct': factorisation; 'iterative': GMRES with a block preconditioner.");
     DirectSolver<dim>::declare_parameters(prm);
+    IterativeSolver<dim>::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -17,9 +21,16 @@ namespace Lahar
   std::unique_ptr<LinearSolver<dim>> LinearSolver<dim>::create(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    auto direct = std::make_unique<DirectSolver<dim>>();
+    const std::string type = prm.get("Type");
+    if (type != "direct" && type != "iterative")
+      prm.throw_wrong_value("Type", "direct|iterative");
+    auto direct    = std::make_unique<DirectSolver<dim>>();
+    auto iterative = std::make_unique<IterativeSolver<dim>>();
     direct->parse_parameters(prm);
+    iterative->parse_parameters(prm);
     prm.leave_subsection();
+    if (type == "iterative")
+      return iterative;
     return direct;
   }
 

@@ -228,6 +228,58 @@ namespace Lahar
 
 
   template <int dim>
+  Vector<double> FluidProblem<dim>::unknowns() const
+  {
+    const unsigned int n = mesh->n_vertices();
+    Vector<double> values((dim + 1) * n);
+    for (unsigned int v = 0; v < n; ++v)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        values[dim * v + d] = state.velocity[v][d];
+      values[dim * n + v] = state.pressure[v];
+    }
+    return values;
+  }
+
+
+
+  template <int dim>
+  Vector<double> FluidProblem<dim>::unknown_weights() const
+  {
+    const unsigned int n = mesh->n_vertices();
+    Vector<double> weights((dim + 1) * n);
+    for (unsigned int i = 0; i < weights.size(); ++i)
+      weights[i] = 1. / (i < dim * n ? velocity_norm : pressure_norm);
+    return weights;
+  }
+
+
+
+  template <int dim>
+  bool FluidProblem<dim>::set_unknowns(const Vector<double> &values)
+  {
+    const unsigned int n    = mesh->n_vertices();
+    const auto old_velocity = state.velocity;
+    for (unsigned int v = 0; v < n; ++v)
+      for (unsigned int d = 0; d < dim; ++d)
+        state.velocity[v][d] = values[dim * v + d];
+    move_state();
+    const bool inverted = find_inverted_cell() < mesh->n_cells();
+    if (inverted)
+    {
+      state.velocity = old_velocity;
+      move_state();
+    }
+    else
+      for (unsigned int v = 0; v < n; ++v)
+        state.pressure[v] = values[dim * n + v];
+    set_norms();
+    return !inverted;
+  }
+
+
+
+  template <int dim>
   void FluidProblem<dim>::accept(ParticleCloud<dim> &cloud) const
   {
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)

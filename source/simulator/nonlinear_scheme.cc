@@ -17,6 +17,13 @@ namespace Lahar
     constexpr double overshoot           = 0.1;
     constexpr double shortest_step       = 0.2;
     constexpr unsigned int n_trial_steps = 3;
+
+    /// Newton's whole derivative would overshoot in the segregated scheme, which has no line search.
+    constexpr double segregated_plastic_weight = 0.5;
+
+    // diag(K) measures the viscous resistance by the mesh size. It is smaller against the smooth flow that a smooth
+    // pressure drives, so that only a part of the viscosity enters the diagonal in the Schur complement.
+    constexpr double schur_viscosity_weight = 0.05;
   } // namespace
 
 
@@ -28,7 +35,7 @@ namespace Lahar
     prm.declare_entry(
       "Scheme", "coupled", Patterns::Anything(),
       "'coupled': Newton's method for velocity and pressure together; 'segregated': velocity first, then "
-      "pressure; for Newtonian fluids.");
+      "pressure; takes about twice as many iterations.");
     prm.declare_entry(
       "Viscosity linearization", "primal-dual", Patterns::Anything(),
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
@@ -86,7 +93,7 @@ namespace Lahar
 
 
   template <int dim>
-  NonlinearReport NonlinearScheme<dim>::solve(FluidProblem<dim> &problem) const
+  NonlinearReport NonlinearScheme<dim>::solve(FluidProblem<dim> &problem)
   {
     NonlinearReport report;
     try
@@ -115,7 +122,7 @@ namespace Lahar
 
 
   template <int dim>
-  void CoupledScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report) const
+  void CoupledScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report)
   {
     typename NonlinearScheme<dim>::Linearization linearization;
     linearization.viscosity = this->viscosity_linearization(problem);
@@ -151,11 +158,19 @@ namespace Lahar
 
 
   template <int dim>
-  void SegregatedScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report) const
+  void SegregatedScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report)
   {
+    if (report.iterations == 1)
+      acceleration.restart();
+    const Vector<double> start = problem.unknowns();
+
+    // The primal-dual linearisation needs increments that both equations agree on.
     typename NonlinearScheme<dim>::Linearization linearization;
     linearization.viscosity = this->viscosity_linearization(problem);
-    linearization.motion    = false;
+    if (linearization.viscosity == ViscosityLinearization::primal_dual)
+      linearization.viscosity = ViscosityLinearization::newton;
+    linearization.plastic_weight = segregated_plastic_weight;
+    linearization.motion         = false;
 
     problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();
@@ -163,12 +178,18 @@ namespace Lahar
     problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
 
-    linearization.viscosity = ViscosityLinearization::picard;
+    linearization.viscosity        = ViscosityLinearization::picard;
+    linearization.viscosity_weight = schur_viscosity_weight;
     problem.assemble(linearization);
     report.mass_residual = problem.mass_residual_norm();
     report.linear_iterations += problem.solve_block(1);
     problem.take_step(1.);
     report.pressure_increment = problem.pressure_increment();
+
+    if (!this->is_converged(report) &&
+        !problem.set_unknowns(
+          acceleration.next_iterate(start, problem.unknowns(), problem.unknown_weights())))
+      acceleration.restart();
   }
 
 

@@ -113,6 +113,10 @@ def test_refused():
     wrong("Stabilization/Form", "fic", "FIC", "residual")
     wrong("Remeshing/Alpha shape/Rule", "alpha", "plain", "advected")
     wrong("Linear solver/Direct/Package", "Pardiso", "MUMPS", "KLU")
+    wrong("Linear solver/Type", "multigrid", "direct", "iterative")
+    wrong("Linear solver/Iterative/Preconditioner", "AMG", "ML", "ILU")
+    wrong("Linear solver/Iterative/Tolerance", "0.5", "0.1")
+    wrong("Linear solver/Iterative/Maximum iterations", "0")
     wrong("Time integration", "RK4", "Newmark", "backward Euler")
 
     # Geometry.

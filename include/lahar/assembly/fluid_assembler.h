@@ -23,6 +23,7 @@ namespace Lahar
     {
       ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
       double plastic_weight            = 1.;   ///< factor of the plastic part's derivative
+      double viscosity_weight          = 1.;   ///< factor of the viscosity
       bool motion                      = true; ///< the dependence of the geometry on the velocity
     };
 

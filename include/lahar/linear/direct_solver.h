@@ -53,8 +53,6 @@ namespace Lahar
 
     void factorize_whole(const BlockSystem<dim> &system);
     void apply_whole(const Vector &right_hand_side, Vector &solution);
-    unsigned int solve_by_gmres(const BlockSystem<dim> &system, const double velocity_scale,
-                                const double pressure_scale, Vector &solution);
 
     std::string package         = "Amesos_Mumps";
     double tolerance            = 1e-3;

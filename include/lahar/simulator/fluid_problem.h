@@ -3,6 +3,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
 #include <lahar/simulator/time_integration.h>
@@ -51,6 +53,15 @@ namespace Lahar
      * @throws RunError with the place if halving does not help.
      */
     double take_step(const double length);
+
+    /// Velocities by vertex, then pressures.
+    Vector<double> unknowns() const;
+
+    /// For each of unknowns() one over the norm of the velocities or pressures.
+    Vector<double> unknown_weights() const;
+
+    /// Set velocities, pressures and geometry. @return false, with nothing changed, if a simplex would be inverted.
+    bool set_unknowns(const Vector<double> &unknowns);
 
     /// δv·R_v of the last assembled residual: negative where going on along the increments lowers the energy.
     double work_along_increment() const

@@ -1,6 +1,7 @@
 #ifndef lahar_simulator_nonlinear_scheme_h
 #define lahar_simulator_nonlinear_scheme_h
 
+#include <lahar/simulator/anderson_acceleration.h>
 #include <lahar/simulator/fluid_problem.h>
 
 #include <memory>
@@ -25,9 +26,10 @@ namespace Lahar
    *   the chosen ViscosityLinearization.
    *   The derivative of the plastic part is weakened a little while the increments are large, and a step that overshoots,
    *   as the work of the residual along the increment tells, is shortened by a line search.
-   * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q.
-   *   Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk modulus in K; with S no such parameter is
-   *   needed. It converges for Newtonian fluids; plugs, where diag(K)⁻¹ says little about K⁻¹, are for CoupledScheme.
+   * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q,
+   *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk
+   *   modulus in K; with S no such parameter is needed. In plugs diag(K)⁻¹ says little about K⁻¹: only a part of the
+   *   viscosity enters it, and without the acceleration the iteration diverges there.
    */
   template <int dim>
   class NonlinearScheme
@@ -39,13 +41,13 @@ namespace Lahar
     static std::unique_ptr<NonlinearScheme> create(Parameters &prm);
 
     /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
-    NonlinearReport solve(FluidProblem<dim> &problem) const;
+    NonlinearReport solve(FluidProblem<dim> &problem);
 
   protected:
     using Linearization = typename FluidProblem<dim>::Linearization;
 
     /// One iteration: assemble, solve, step. Enters in the report what it took.
-    virtual void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const = 0;
+    virtual void iterate(FluidProblem<dim> &problem, NonlinearReport &report) = 0;
 
     /// Whether both increments are within the tolerance.
     bool is_converged(const NonlinearReport &report) const
@@ -67,7 +69,7 @@ namespace Lahar
   class CoupledScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const override;
+    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
   };
 
   /// See NonlinearScheme.
@@ -75,7 +77,10 @@ namespace Lahar
   class SegregatedScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) const override;
+    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
+
+  private:
+    AndersonAcceleration acceleration{10};
   };
 } // namespace Lahar
 

@@ -1,0 +1,50 @@
+#ifndef lahar_linear_iterative_solver_h
+#define lahar_linear_iterative_solver_h
+
+#include <deal.II/lac/trilinos_precondition.h>
+
+#include <lahar/linear/linear_solver.h>
+
+namespace Lahar
+{
+  /**
+   * GMRES, for the whole system with the block-triangular preconditioner
+   *
+   *   P = [ K̃  0 ]     K̃ ≈ K,   S̃ ≈ S = H − C diag(K)⁻¹ Q,
+   *       [ C  S̃ ]
+   *
+   * for one block with K̃ or S̃. K̃⁻¹ and S̃⁻¹ are a cycle of algebraic multigrid (ML, smoothed aggregation with the
+   * translations as modes, Chebyshev smoothers) or incomplete factors (Ifpack, ILU).
+   *
+   * Why diag(K) will do where plugs make it differ much from K: were C = −Qᵀ, the Schur complement H − C K⁻¹ Q would
+   * lie between H and H − C M⁻¹ Q, M the inertia in K, and the stabilisation H is about as large as the second term,
+   * because its parameter is about Δt/(2ρ).
+   */
+  template <int dim>
+  class IterativeSolver : public LinearSolver<dim>
+  {
+  public:
+    using Vector = typename LinearSolver<dim>::Vector;
+
+    static void declare_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm);
+
+    unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
+                       const double pressure_scale, Vector &solution) override;
+
+    unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
+
+  private:
+    using Matrix         = TrilinosWrappers::SparseMatrix;
+    using Preconditioner = std::unique_ptr<TrilinosWrappers::PreconditionBase>;
+
+    /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node.
+    Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components) const;
+
+    bool multigrid              = true;
+    double tolerance            = 1e-3;
+    unsigned int max_iterations = 200;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,126 @@
+#include <deal.II/lac/solver_gmres.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include <lahar/linear/iterative_solver.h>
+#include <lahar/linear/scaled_gmres.h>
+#include <lahar/linear/schur_complement.h>
+
+namespace Lahar
+{
+  template <int dim>
+  void IterativeSolver<dim>::declare_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Iterative");
+    prm.declare_entry("Preconditioner", "ML", Patterns::Anything(),
+                      "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
+                      "multigrid) or 'ILU' (incomplete factors).");
+    prm.declare_entry("Tolerance", "1e-3", Patterns::Anything(),
+                      "Tolerance of the preconditioned residual relative to the first one, with velocity and "
+                      "pressure divided by their sizes, 1e-12 to 0.1.");
+    prm.declare_entry("Maximum iterations", "200", Patterns::Anything(),
+                      "A time step in which GMRES needs more iterations has failed, 1 to 1000.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void IterativeSolver<dim>::parse_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Iterative");
+    if (prm.get("Preconditioner") != "ML" && prm.get("Preconditioner") != "ILU")
+      prm.throw_wrong_value("Preconditioner", "ML|ILU");
+    multigrid      = prm.get("Preconditioner") == "ML";
+    tolerance      = prm.get_in_range("Tolerance", 1e-12, 0.1);
+    max_iterations = prm.get_count("Maximum iterations", 1, 1000);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  typename IterativeSolver<dim>::Preconditioner
+  IterativeSolver<dim>::make_preconditioner(const Matrix &matrix, const unsigned int n_components) const
+  {
+    if (multigrid)
+    {
+      auto preconditioner = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+      TrilinosWrappers::PreconditionAMG::AdditionalData data;
+      data.constant_modes.assign(n_components, std::vector<bool>(matrix.m(), false));
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        data.constant_modes[i % n_components][i] = true;
+      Teuchos::ParameterList list;
+      std::unique_ptr<Epetra_MultiVector> modes;
+      data.set_parameters(list, modes, matrix);
+      list.set("coarse: max size", 300); // larger ones cost more to factorise than a level more
+      preconditioner->initialize(matrix, list);
+      return preconditioner;
+    }
+    auto preconditioner = std::make_unique<TrilinosWrappers::PreconditionILU>();
+    preconditioner->initialize(matrix, TrilinosWrappers::PreconditionILU::AdditionalData(1));
+    return preconditioner;
+  }
+
+
+
+  template <int dim>
+  unsigned int IterativeSolver<dim>::solve(const BlockSystem<dim> &system, const double velocity_scale,
+                                           const double pressure_scale, Vector &solution)
+  {
+    Matrix schur;
+    schur.reinit(*make_schur_complement(system), true);
+    const Preconditioner inverse_K = make_preconditioner(system.matrix().block(0, 0), dim);
+    const Preconditioner inverse_S = make_preconditioner(schur, 1);
+
+    auto pressure_rhs               = system.right_hand_side().block(1);
+    const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
+      system,
+      [&](const Vector &x, Vector &y) {
+        inverse_K->vmult(y.block(0), x.block(0));
+        system.matrix().block(1, 0).vmult(pressure_rhs, y.block(0));
+        pressure_rhs.sadd(-1., 1., x.block(1));
+        inverse_S->vmult(y.block(1), pressure_rhs);
+      },
+      velocity_scale, pressure_scale, tolerance, max_iterations, solution);
+    if (n_iterations > max_iterations)
+      throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
+    return n_iterations;
+  }
+
+
+
+  template <int dim>
+  unsigned int IterativeSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
+                                                 Vector &solution)
+  {
+    Matrix schur;
+    if (b == 1)
+      schur.reinit(*make_schur_complement(system), true);
+    const Matrix &matrix                = b == 1 ? schur : system.matrix().block(0, 0);
+    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim);
+
+    using BlockVector  = TrilinosWrappers::MPI::Vector;
+    const auto &rhs    = system.right_hand_side().block(b);
+    BlockVector scaled = rhs;
+    preconditioner->vmult(scaled, rhs);
+    SolverControl control(max_iterations, tolerance * scaled.l2_norm(), false, false);
+    SolverGMRES<BlockVector> gmres(control, SolverGMRES<BlockVector>::AdditionalData(max_iterations + 2));
+    solution.block(b) = 0.;
+    try
+    {
+      gmres.solve(matrix, solution.block(b), rhs, *preconditioner);
+    }
+    catch (const SolverControl::NoConvergence &)
+    {
+      throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
+    }
+    return control.last_step();
+  }
+
+
+
+  template class IterativeSolver<2>;
+  template class IterativeSolver<3>;
+} // namespace Lahar
