@@ -1,11 +1,19 @@
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/simulator/fluid_problem.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace Lahar
 {
+  namespace
+  {
+    constexpr unsigned int max_halvings = 10;
+  }
+
+
+
   template <int dim>
   FluidProblem<dim>::FluidProblem(const MPI_Comm &communicator, TimerOutput &timer)
     : timer(timer)
@@ -77,11 +85,18 @@ namespace Lahar
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
     move_state();
-    // Where the old velocities would invert a simplex, start from slower ones, at last from a mesh that does not move.
-    for (double factor = 0.5; factor >= -1. && find_inverted_cell() < mesh->n_cells(); factor -= 0.5)
+    // Where the old velocities would invert simplices, let their vertices move less; if they do not move at all,
+    // v = −(Δt/s − 1) v_n, nothing is inverted.
+    std::vector<double> motion(mesh->n_vertices(), 1.);
+    for (std::vector<unsigned int> inverted = inverted_vertices(); !inverted.empty();
+         inverted                           = inverted_vertices())
     {
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        state.velocity[v] = factor * state.old_velocity[v];
+      for (const unsigned int v : inverted)
+      {
+        motion[v]         = std::max(0., motion[v] - 0.25);
+        const double rest = state.factors.time_step / state.position_factor[v] - 1.;
+        state.velocity[v] = (motion[v] * (1. + rest) - rest) * state.old_velocity[v];
+      }
       move_state();
     }
     set_norms();
@@ -105,12 +120,15 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int FluidProblem<dim>::find_inverted_cell() const
+  std::vector<unsigned int> FluidProblem<dim>::inverted_vertices() const
   {
-    unsigned int c = 0;
-    while (c < mesh->n_cells() && signed_volume<dim>(corners_of<dim>(mesh->cells()[c], state.position)) > 0.)
-      ++c;
-    return c;
+    std::vector<unsigned int> vertices;
+    for (const Simplex<dim> &cell : mesh->cells())
+      if (!(signed_volume<dim>(corners_of<dim>(cell, state.position)) > 0.))
+        vertices.insert(vertices.end(), cell.begin(), cell.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
   }
 
 
@@ -198,21 +216,28 @@ namespace Lahar
   double FluidProblem<dim>::take_step(double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    for (unsigned int halving = 0;; ++halving, length *= 0.5)
-    {
+    std::vector<double> lengths(mesh->n_vertices(), length);
+    const auto move_along = [&] {
       for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        state.velocity[v] = base_velocity[v] + length * velocity_change[v];
+        state.velocity[v] = base_velocity[v] + lengths[v] * velocity_change[v];
       move_state();
-      const unsigned int inverted = find_inverted_cell();
-      if (inverted == mesh->n_cells())
-        break;
-      if (halving == 5)
-      {
-        std::ostringstream message;
-        message << "a simplex is inverted at ("
-                << centroid<dim>(corners_of<dim>(mesh->cells()[inverted], state.position)) << ") m";
-        throw RunError(message.str());
-      }
+    };
+    move_along();
+    std::vector<unsigned int> inverted = inverted_vertices();
+    damped                             = !inverted.empty();
+    for (unsigned int halving = 0; !inverted.empty() && halving < max_halvings; ++halving)
+    {
+      for (const unsigned int v : inverted)
+        lengths[v] *= 0.5;
+      move_along();
+      inverted = inverted_vertices();
+    }
+    if (!inverted.empty())
+    {
+      inverted_at = state.position[inverted.front()];
+      length      = 0.;
+      std::fill(lengths.begin(), lengths.end(), 0.);
+      move_along();
     }
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       state.pressure[v] = base_pressure[v] + length * pressure_change[v];
@@ -223,6 +248,16 @@ namespace Lahar
     if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
       throw RunError("velocity or pressure is not a finite number");
     return length;
+  }
+
+
+
+  template <int dim>
+  void FluidProblem<dim>::throw_inverted() const
+  {
+    std::ostringstream message;
+    message << "a simplex is inverted at (" << inverted_at << ") m";
+    throw RunError(message.str());
   }
 
 
@@ -264,7 +299,7 @@ namespace Lahar
       for (unsigned int d = 0; d < dim; ++d)
         state.velocity[v][d] = values[dim * v + d];
     move_state();
-    const bool inverted = find_inverted_cell() < mesh->n_cells();
+    const bool inverted = !inverted_vertices().empty();
     if (inverted)
     {
       state.velocity = old_velocity;

@@ -13,6 +13,9 @@ namespace Lahar
     /// Stiffening after a step that overshot.
     constexpr double overshoot_stiffening = 0.3;
 
+    /// Without the derivatives of the geometry the iteration is robust but slow: below this increment they come back.
+    constexpr double small_increment = 0.02;
+
     /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
     constexpr double overshoot           = 0.1;
     constexpr double shortest_step       = 0.2;
@@ -129,17 +132,35 @@ namespace Lahar
 
     linearization.plastic_weight = 1. - largest_stiffening;
     if (report.iterations == 1)
+    {
+      motion = true;
       problem.assemble(linearization);
+    }
+    linearization.motion     = motion;
     report.momentum_residual = problem.momentum_residual_norm();
     report.mass_residual     = problem.mass_residual_norm();
     report.linear_iterations += problem.solve();
 
-    const double start        = problem.work_along_increment();
-    double length             = problem.take_step(1.);
+    double start  = problem.work_along_increment();
+    double length = problem.take_step(1.);
+    if (problem.was_damped() && motion)
+    {
+      linearization.motion = motion = false;
+      problem.take_step(0.);
+      problem.assemble(linearization);
+      report.linear_iterations += problem.solve();
+      start  = problem.work_along_increment();
+      length = problem.take_step(1.);
+    }
+    if (length == 0.)
+      problem.throw_inverted();
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
     if (this->is_converged(report))
       return;
+
+    if (report.velocity_increment < small_increment)
+      linearization.motion = motion = true;
 
     // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
     linearization.plastic_weight = 1. -
@@ -175,7 +196,8 @@ namespace Lahar
     problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();
     report.linear_iterations += problem.solve_block(0);
-    problem.take_step(1.);
+    if (problem.take_step(1.) == 0.)
+      problem.throw_inverted();
     report.velocity_increment = problem.velocity_increment();
 
     linearization.viscosity        = ViscosityLinearization::picard;

@@ -48,11 +48,20 @@ namespace Lahar
 
     /**
      * Move from the state in which the system was solved by @p length times the increments. If simplices would invert,
-     * the length is halved until none does. May be called again with another length.
-     * @return the length taken.
-     * @throws RunError with the place if halving does not help.
+     * the velocity increments of their vertices are halved until none does: a flat simplex at an impact must not hold up
+     * the rest of the fluid. May be called again with another length.
+     * @return the length taken, zero if halving does not help.
      */
-    double take_step(const double length);
+    double take_step(double length);
+
+    /// Whether increments were halved in the last step.
+    bool was_damped() const
+    {
+      return damped;
+    }
+
+    /// @throws RunError with the place of the last simplex that take_step() found inverted.
+    [[noreturn]] void throw_inverted() const;
 
     /// Velocities by vertex, then pressures.
     Vector<double> unknowns() const;
@@ -109,8 +118,8 @@ namespace Lahar
   private:
     void start_increment();
     void move_state();
-    /// Index of a cell without positive volume, n_cells() if there is none.
-    unsigned int find_inverted_cell() const;
+    /// The vertices of cells without positive volume, ascending.
+    std::vector<unsigned int> inverted_vertices() const;
     void set_norms();
 
     TimerOutput &timer;
@@ -128,6 +137,8 @@ namespace Lahar
     std::vector<Simplex<dim>> numbered_cells;
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change;
+    Point<dim> inverted_at;
+    bool damped = false;
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;

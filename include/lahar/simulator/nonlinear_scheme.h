@@ -70,6 +70,9 @@ namespace Lahar
   {
   protected:
     void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
+
+  private:
+    bool motion = true; ///< whether the Jacobian has the derivatives of the geometry in this step
   };
 
   /// See NonlinearScheme.
