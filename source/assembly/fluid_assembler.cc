@@ -160,6 +160,8 @@ namespace Lahar
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), linearization.motion);
       if (!(cell.volume > 0.))
         return false;
+      if (cell.moves_implicitly())
+        cell.old_volume = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
       cell.stabilization           = state.stabilization[c];
       cell.stabilization_viscosity = state.stabilization_viscosity[c];
       if (linearization.viscosity == ViscosityLinearization::primal_dual)

@@ -10,11 +10,14 @@ namespace Lahar
     const auto &G        = cell.gradients;
     const double V       = cell.volume;
     const double p       = cell.mean_pressure();
+    const bool implicit  = cell.moves_implicitly();
+    const double dt      = cell.factors.time_step;
     const double div     = trace(cell.velocity_gradient);
+    const double growth  = implicit ? (V - cell.old_volume) / dt : V * div;
 
     for (unsigned int I = 0; I < n; ++I)
     {
-      system.residual[S::pressure_index(I)] -= V / n * div;
+      system.residual[S::pressure_index(I)] -= growth / n;
       for (unsigned int a = 0; a < dim; ++a)
         system.residual[S::index(I, a)] += V * p * G[I][a];
 
@@ -23,8 +26,9 @@ namespace Lahar
         {
           const double s_V = cell.motion[J] * V;
           system.matrix[S::index(I, b)][S::pressure_index(J)] += V / n * G[I][b];
-          system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * (cell.w[J][b] * G[J]) +
-                                                                 s_V / n * G[J][b] * div;
+          system.matrix[S::pressure_index(I)][S::index(J, b)] -=
+            implicit ? cell.position_factor[J] * V / (n * dt) * G[J][b]
+                     : V / n * (cell.w[J][b] * G[J]) + s_V / n * G[J][b] * div;
           for (unsigned int a = 0; a < dim; ++a)
             system.matrix[S::index(I, a)][S::index(J, b)] += s_V * p *
                                                              (G[J][b] * G[I][a] - G[J][a] * G[I][b]);

@@ -6,6 +6,7 @@
 
 #include <lahar/material/fluid_law.h>
 
+#include <algorithm>
 #include <array>
 
 namespace Lahar
@@ -41,7 +42,8 @@ namespace Lahar
     std::array<double, n_nodes> old_pressure_rate;
 
     std::array<Tensor<1, dim>, n_nodes> gradients; ///< G_I, 1/m
-    double volume = 0.;
+    double volume     = 0.;
+    double old_volume = 0.; ///< at the start of the step; needed where moves_implicitly()
 
     Tensor<2, dim> velocity_gradient; ///< L_ij = ∂v_i/∂x_j
     SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
@@ -59,6 +61,13 @@ namespace Lahar
 
     /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
     void reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion);
+
+    /// Whether a corner moves by Δt v, see TimeIntegration.
+    bool moves_implicitly() const
+    {
+      return std::find(position_factor.begin(), position_factor.end(), factors.time_step) !=
+             position_factor.end();
+    }
 
     double mean_pressure() const
     {

@@ -63,7 +63,8 @@ namespace Lahar
 
   /**
    * Pressure and incompressibility: R_I += ∫ ∇N_I p in the momentum rows; in the mass rows
-   * R_I += ∫ N_I (1/κ) (p − p_n)/Δt − ∫ N_I div v.
+   * R_I += ∫ N_I (1/κ) (p − p_n)/Δt − ∫ N_I div v. In cells that move implicitly the change of volume itself replaces
+   * the divergence, R_I −= (V − V_n)/((dim+1) Δt): a step of Δt v changes the volume although div v = 0.
    */
   template <int dim>
   struct PressureDivergence
