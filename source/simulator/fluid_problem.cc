@@ -9,8 +9,11 @@ namespace Lahar
 {
   namespace
   {
-    constexpr unsigned int max_halvings = 10;
-  }
+    /// A cell keeps this part of its volume in every iteration …
+    constexpr double smallest_part = 0.2;
+    /// Increments that would invert simplices even at this part of their length are not taken.
+    constexpr double shortest_step = 1e-3;
+  } // namespace
 
 
 
@@ -85,13 +88,14 @@ namespace Lahar
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
     move_state();
-    // Where the old velocities would invert simplices, let their vertices move less; if they do not move at all,
-    // v = −(Δt/s − 1) v_n, nothing is inverted.
+    // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
+    // v = −(Δt/s − 1) v_n, nothing is.
     std::vector<double> motion(mesh->n_vertices(), 1.);
-    for (std::vector<unsigned int> inverted = inverted_vertices(); !inverted.empty();
-         inverted                           = inverted_vertices())
+    const std::vector<double> old_volumes = volumes(state.old_position);
+    for (std::vector<unsigned int> shrinking = shrinking_vertices(old_volumes); !shrinking.empty();
+         shrinking                           = shrinking_vertices(old_volumes))
     {
-      for (const unsigned int v : inverted)
+      for (const unsigned int v : shrinking)
       {
         motion[v]         = std::max(0., motion[v] - 0.25);
         const double rest = state.factors.time_step / state.position_factor[v] - 1.;
@@ -120,12 +124,25 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<unsigned int> FluidProblem<dim>::inverted_vertices() const
+  std::vector<double> FluidProblem<dim>::volumes(const std::vector<Point<dim>> &positions) const
+  {
+    std::vector<double> result;
+    result.reserve(mesh->n_cells());
+    for (const Simplex<dim> &cell : mesh->cells())
+      result.push_back(signed_volume<dim>(corners_of<dim>(cell, positions)));
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> FluidProblem<dim>::shrinking_vertices(const std::vector<double> &from) const
   {
     std::vector<unsigned int> vertices;
-    for (const Simplex<dim> &cell : mesh->cells())
-      if (!(signed_volume<dim>(corners_of<dim>(cell, state.position)) > 0.))
-        vertices.insert(vertices.end(), cell.begin(), cell.end());
+    const std::vector<double> to = volumes(state.position);
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (!(to[c] > smallest_part * from[c]))
+        vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
@@ -205,6 +222,7 @@ namespace Lahar
       pressure_change[v] = system.pressure(solution, v);
     }
     base_velocity = state.velocity;
+    base_volumes  = volumes(state.position);
     base_pressure = state.pressure;
     if (fluid_law->yield_stress() > 0.)
       assembler.predict_plastic_dual(*mesh, *fluid_law, state, velocity_change, base_dual, dual_change);
@@ -213,7 +231,7 @@ namespace Lahar
 
 
   template <int dim>
-  double FluidProblem<dim>::take_step(double length)
+  void FluidProblem<dim>::take_step(const double length)
   {
     TimerOutput::Scope scope(timer, "Update");
     std::vector<double> lengths(mesh->n_vertices(), length);
@@ -223,20 +241,13 @@ namespace Lahar
       move_state();
     };
     move_along();
-    std::vector<unsigned int> inverted = inverted_vertices();
-    damped                             = !inverted.empty();
-    for (unsigned int halving = 0; !inverted.empty() && halving < max_halvings; ++halving)
+    damped = false;
+    for (std::vector<unsigned int> shrinking = shrinking_vertices(base_volumes); !shrinking.empty();
+         shrinking                           = shrinking_vertices(base_volumes))
     {
-      for (const unsigned int v : inverted)
-        lengths[v] *= 0.5;
-      move_along();
-      inverted = inverted_vertices();
-    }
-    if (!inverted.empty())
-    {
-      inverted_at = state.position[inverted.front()];
-      length      = 0.;
-      std::fill(lengths.begin(), lengths.end(), 0.);
+      damped = true;
+      for (const unsigned int v : shrinking)
+        lengths[v] = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
       move_along();
     }
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
@@ -247,17 +258,6 @@ namespace Lahar
     set_norms();
     if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
       throw RunError("velocity or pressure is not a finite number");
-    return length;
-  }
-
-
-
-  template <int dim>
-  void FluidProblem<dim>::throw_inverted() const
-  {
-    std::ostringstream message;
-    message << "a simplex is inverted at (" << inverted_at << ") m";
-    throw RunError(message.str());
   }
 
 
@@ -299,7 +299,7 @@ namespace Lahar
       for (unsigned int d = 0; d < dim; ++d)
         state.velocity[v][d] = values[dim * v + d];
     move_state();
-    const bool inverted = !inverted_vertices().empty();
+    const bool inverted = !shrinking_vertices(base_volumes).empty();
     if (inverted)
     {
       state.velocity = old_velocity;

@@ -16,6 +16,9 @@ namespace Lahar
     /// Without the derivatives of the geometry the iteration is robust but slow: below this increment they come back.
     constexpr double small_increment = 0.02;
 
+    /// Increments that fall by less than this factor tell of a cycle; stiffening breaks it.
+    constexpr double stagnation = 0.7;
+
     /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
     constexpr double overshoot           = 0.1;
     constexpr double shortest_step       = 0.2;
@@ -133,7 +136,8 @@ namespace Lahar
     linearization.plastic_weight = 1. - largest_stiffening;
     if (report.iterations == 1)
     {
-      motion = true;
+      motion         = true;
+      last_increment = std::numeric_limits<double>::max();
       problem.assemble(linearization);
     }
     linearization.motion     = motion;
@@ -141,19 +145,17 @@ namespace Lahar
     report.mass_residual     = problem.mass_residual_norm();
     report.linear_iterations += problem.solve();
 
-    double start  = problem.work_along_increment();
-    double length = problem.take_step(1.);
+    double start = problem.work_along_increment();
+    problem.take_step(1.);
     if (problem.was_damped() && motion)
     {
       linearization.motion = motion = false;
       problem.take_step(0.);
       problem.assemble(linearization);
       report.linear_iterations += problem.solve();
-      start  = problem.work_along_increment();
-      length = problem.take_step(1.);
+      start = problem.work_along_increment();
+      problem.take_step(1.);
     }
-    if (length == 0.)
-      problem.throw_inverted();
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
     if (this->is_converged(report))
@@ -163,14 +165,17 @@ namespace Lahar
       linearization.motion = motion = true;
 
     // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
-    linearization.plastic_weight = 1. -
-                                   std::min(largest_stiffening, stiffening_rate * report.velocity_increment);
+    const bool stagnates = report.velocity_increment > stagnation * last_increment;
+    last_increment       = report.velocity_increment;
+    linearization.plastic_weight =
+      1. - (stagnates ? largest_stiffening : std::min(largest_stiffening, stiffening_rate * last_increment));
     problem.assemble(linearization);
-    double end                   = problem.work_along_increment();
+    double length = 1., end = problem.work_along_increment();
     linearization.plastic_weight = 1. - overshoot_stiffening;
     for (unsigned int trial = 0; trial < n_trial_steps && start < 0. && end > -overshoot * start; ++trial)
     {
-      length = problem.take_step(length * std::max(shortest_step, start / (start - end)));
+      length *= std::max(shortest_step, start / (start - end));
+      problem.take_step(length);
       problem.assemble(linearization);
       end = problem.work_along_increment();
     }
@@ -196,8 +201,7 @@ namespace Lahar
     problem.assemble(linearization);
     report.momentum_residual = problem.momentum_residual_norm();
     report.linear_iterations += problem.solve_block(0);
-    if (problem.take_step(1.) == 0.)
-      problem.throw_inverted();
+    problem.take_step(1.);
     report.velocity_increment = problem.velocity_increment();
 
     linearization.viscosity        = ViscosityLinearization::picard;

@@ -47,21 +47,17 @@ namespace Lahar
     unsigned int solve_block(const unsigned int b);
 
     /**
-     * Move from the state in which the system was solved by @p length times the increments. If simplices would invert,
-     * the velocity increments of their vertices are halved until none does: a flat simplex at an impact must not hold up
+     * Move from the state in which the system was solved by @p length times the increments. Where simplices would
+     * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat simplex at an impact must not hold up
      * the rest of the fluid. May be called again with another length.
-     * @return the length taken, zero if halving does not help.
      */
-    double take_step(double length);
+    void take_step(const double length);
 
     /// Whether increments were halved in the last step.
     bool was_damped() const
     {
       return damped;
     }
-
-    /// @throws RunError with the place of the last simplex that take_step() found inverted.
-    [[noreturn]] void throw_inverted() const;
 
     /// Velocities by vertex, then pressures.
     Vector<double> unknowns() const;
@@ -118,8 +114,9 @@ namespace Lahar
   private:
     void start_increment();
     void move_state();
-    /// The vertices of cells without positive volume, ascending.
-    std::vector<unsigned int> inverted_vertices() const;
+    std::vector<double> volumes(const std::vector<Point<dim>> &positions) const;
+    /// The vertices of cells that are inverted or much smaller than given, ascending.
+    std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
     void set_norms();
 
     TimerOutput &timer;
@@ -136,8 +133,7 @@ namespace Lahar
 
     std::vector<Simplex<dim>> numbered_cells;
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
-    std::vector<double> base_pressure, pressure_change;
-    Point<dim> inverted_at;
+    std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;

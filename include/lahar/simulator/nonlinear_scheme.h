@@ -72,7 +72,8 @@ namespace Lahar
     void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
 
   private:
-    bool motion = true; ///< whether the Jacobian has the derivatives of the geometry in this step
+    double last_increment = 0.;   ///< velocity increment of the iteration before
+    bool motion           = true; ///< whether the Jacobian has the derivatives of the geometry in this step
   };
 
   /// See NonlinearScheme.
