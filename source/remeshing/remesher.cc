@@ -42,8 +42,8 @@ namespace Lahar
 
 
   template <int dim>
-  bool Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
-                             FluidMesh<dim> &mesh, std::vector<bool> &arrives) const
+  typename Remesher<dim>::Report Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                                       const double time_step, FluidMesh<dim> &mesh) const
   {
     OldDomain<dim> old_domain(cloud, mesh);
     particle_spacing.adapt(cloud, walls, mesh, old_domain);
@@ -59,11 +59,11 @@ namespace Lahar
         for (const unsigned int particle : simplex)
           arriving[particle] = true;
     }
-    const bool changed = mesh.reinit(cloud, cells);
-    arrives.clear();
+    Report report;
+    report.changed = mesh.reinit(cloud, cells);
     for (const unsigned int particle : mesh.particles())
-      arrives.push_back(arriving[particle]);
-    return changed;
+      report.arrives.push_back(arriving[particle]);
+    return report;
   }
 
 

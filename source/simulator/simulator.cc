@@ -56,7 +56,7 @@ namespace Lahar
     set_initial_velocities();
     slip_condition.initialize(particles);
     remesher.create_mesh(particles, walls, wet, fluid_mesh);
-    arrives.assign(fluid_mesh.n_vertices(), false);
+    remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     if (fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
@@ -152,7 +152,7 @@ namespace Lahar
     if (step_number > 0)
     {
       TimerOutput::Scope scope(timer, "Remesh");
-      remeshed                = remesher.remesh(particles, walls, time_step, fluid_mesh, arrives);
+      remeshing               = remesher.remesh(particles, walls, time_step, fluid_mesh);
       const double new_volume = fluid_mesh.volume(particles);
       change_by_remeshing += (new_volume - volume) / initial_volume;
       volume = new_volume;
@@ -166,7 +166,8 @@ namespace Lahar
       try
       {
         time_integration.start_step(time_step, step_number == 0);
-        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration, arrives);
+        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
+                           remeshing.arrives);
         report   = scheme->solve(problem);
         accepted = true;
       }
@@ -245,7 +246,7 @@ namespace Lahar
     add_to_column(statistics, "Fluid volume (m^dim)", volume);
     add_to_column(statistics, "Volume change by solver", change_by_solver);
     add_to_column(statistics, "Volume change by remeshing", change_by_remeshing);
-    statistics.add_value("Remeshed", static_cast<unsigned int>(remeshed));
+    statistics.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
     statistics.add_value("Rejected steps", n_rejected);
     for (const auto &postprocessor : postprocessors)
       postprocessor->evaluate(snapshot(), statistics);

@@ -158,14 +158,15 @@ void test_mesh()
 
 /// Adapt the spacing of the particles and mesh them again.
 template <int dim>
-double adapted_volume(ParticleCloud<dim> &cloud, const std::string &longest_edge = "1.5")
+double adapted_volume(ParticleCloud<dim> &cloud, const std::string &longest_edge = "1.5",
+                      const Walls<dim> &walls = Walls<dim>())
 {
   FluidMesh<dim> mesh;
   mesh.reinit(cloud, cells_with_volume<dim>(cloud));
   OldDomain<dim> old_domain(cloud, mesh);
   ParticleSpacing<dim> spacing;
   parse(spacing, "subsection Particle spacing\n set Longest edge = " + longest_edge + "\nend\n");
-  spacing.adapt(cloud, mesh, old_domain);
+  spacing.adapt(cloud, walls, mesh, old_domain);
   mesh.reinit(cloud, cells_with_volume<dim>(cloud));
   return mesh.volume(cloud);
 }
@@ -182,6 +183,20 @@ void test_spacing()
   cloud.append({2.4, 0.3}, ParticleKind::fluid, 1.);
   check("a fluid particle too near to the wall goes",
         (adapted_volume<2>(cloud), cloud.size() == n && cloud.n_particles(ParticleKind::wall) == 7));
+
+  // Between two wall particles, farther from both than the shortest edge.
+  WallFacet<2> facet{{{{6., 0.}, {0., 0.}}}};
+  WallFacet<2> slip_facet = facet;
+  slip_facet.slip         = true;
+  ParticleCloud<2> sparse = make_cloud<2>(6, 1.);
+  for (unsigned int i = 0; i < n; ++i)
+    sparse.position[i][0] *= 1.4;
+  sparse.append({2.1, 0.07}, ParticleKind::fluid, 1.);
+  check("a particle close to a slip wall stays",
+        (adapted_volume<2>(sparse, "10", Walls<2>({slip_facet})), sparse.size() == n + 1));
+  check("a particle close to a no-slip wall goes and leaves its volume",
+        adapted_volume<2>(sparse, "10", Walls<2>({facet})) - 36. * 1.4, 1e-12);
+  check("the other ones stay", sparse.size() == n);
 
   // Edges of 1.6 h in the x direction: a particle in the middle of some, with the mean state.
   ParticleCloud<2> stretched = make_cloud<2>(6, 1.);

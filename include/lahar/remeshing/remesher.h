@@ -17,6 +17,13 @@ namespace Lahar
   class Remesher
   {
   public:
+    /// What a remeshing did.
+    struct Report
+    {
+      bool changed = false;      ///< the connectivity
+      std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
+    };
+
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
@@ -26,11 +33,9 @@ namespace Lahar
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted.
-     * @param arrives by vertex of the new mesh: whether it is a corner of a cell that was no fluid before.
-     * @return whether the connectivity changed.
      */
-    bool remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
-                FluidMesh<dim> &mesh, std::vector<bool> &arrives) const;
+    Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
+                  FluidMesh<dim> &mesh) const;
 
   private:
     AlphaShape<dim> alpha_shape;

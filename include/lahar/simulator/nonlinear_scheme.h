@@ -24,7 +24,8 @@ namespace Lahar
    *
    * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
    *   the chosen ViscosityLinearization.
-   *   The derivative of the plastic part is weakened a little while the increments are large, and a step that overshoots,
+   *   The derivative of the plastic part is weakened a little while the increments are large or stagnate, those of the
+   *   geometry are left out while they would flatten cells, and a step that overshoots,
    *   as the work of the residual along the increment tells, is shortened by a line search.
    * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q,
    *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk

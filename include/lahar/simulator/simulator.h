@@ -93,8 +93,7 @@ namespace Lahar
     double time              = 0.;
     unsigned int step_number = 0, n_rejected = 0;
     double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.;
-    bool remeshed = false;
-    std::vector<bool> arrives; ///< by vertex, see Remesher::remesh()
+    typename Remesher<dim>::Report remeshing; ///< the last one
 
     std::vector<Tensor<1, dim>> wall_forces;
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
