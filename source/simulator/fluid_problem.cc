@@ -221,6 +221,8 @@ namespace Lahar
       velocity_change[v] = system.velocity(solution, v);
       pressure_change[v] = system.pressure(solution, v);
     }
+    if (!std::isfinite(solution.l2_norm()))
+      throw RunError("the solution of the linear system is not a finite number");
     base_velocity = state.velocity;
     base_volumes  = volumes(state.position);
     base_pressure = state.pressure;
@@ -310,6 +312,26 @@ namespace Lahar
         state.pressure[v] = values[dim * n + v];
     set_norms();
     return !inverted;
+  }
+
+
+
+  template <int dim>
+  Point<dim> FluidProblem<dim>::place_of_largest_increment() const
+  {
+    unsigned int place = 0;
+    double largest     = -1.;
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      const double increment = velocity_change[v].norm() / velocity_norm +
+                               std::abs(pressure_change[v]) / pressure_norm;
+      if (increment > largest)
+      {
+        largest = increment;
+        place   = v;
+      }
+    }
+    return state.position[place];
   }
 
 

@@ -113,8 +113,8 @@ namespace Lahar
       {
         std::ostringstream reason;
         reason << "no convergence, the relative increments are " << report.velocity_increment
-               << " (velocity) and " << report.pressure_increment << " (pressure), the tolerance is "
-               << tolerance;
+               << " (velocity) and " << report.pressure_increment << " (pressure), largest at ("
+               << problem.place_of_largest_increment() << ") m, the tolerance is " << tolerance;
         throw RunError(reason.str());
       }
     }

@@ -85,6 +85,9 @@ namespace Lahar
       return relative_pressure_increment;
     }
 
+    /// Where ‖δv‖/‖v‖ + |δp|/‖p‖ of the last solution is largest, m.
+    Point<dim> place_of_largest_increment() const;
+
     /// Norm of the assembled momentum residual at free unknowns, N.
     double momentum_residual_norm() const
     {
