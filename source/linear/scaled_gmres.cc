@@ -55,7 +55,7 @@ namespace Lahar
     solution = 0.;
     try
     {
-      if (norm > 0.)
+      if (norm != 0.) // a NaN fails in GMRES
         gmres.solve(matrix, solution, right_hand_side, PreconditionIdentity());
     }
     catch (const SolverControl::NoConvergence &)
