@@ -192,14 +192,39 @@ namespace
 
 
 
+  /// The number of solids that the case asks for; what else is wrong with the input shows later.
+  unsigned int count_solids(const CommandLine &line)
+  {
+    Parameters prm;
+    Solids<2>::declare_parameters(prm, 0);
+    std::ifstream file(line.file_name);
+    try
+    {
+      if (file)
+        prm.parse_input(file, line.file_name, "", true);
+      for (const std::string &text : line.overrides)
+        if (text.find("Number of solids") != std::string::npos)
+          override_entry(prm, text);
+      prm.enter_subsection("Solids");
+      return prm.get_count("Number of solids", 0, Solids<2>::maximum);
+    }
+    catch (const std::exception &)
+    {
+      return 0;
+    }
+  }
+
+
+
   int lahar_main(const int argc, char **argv)
   {
     CommandLine line;
     if (!parse(argc, argv, line))
       return 0;
 
+    // Without a case there is one solid for show.
     Parameters prm;
-    Simulator<2>::declare_parameters(prm);
+    Simulator<2>::declare_parameters(prm, std::max(count_solids(line), line.file_name.empty() ? 1U : 0U));
     if (!line.print_format.empty())
     {
       print_parameters(prm, line.print_format, std::cout);

@@ -388,7 +388,11 @@ namespace Lahar
         if (type == 1)
           mesh.curve_edges[group].push_back({{tags[0], tags[1]}});
         else if (type != 15)
+        {
           mesh.surface_nodes[group].insert(tags.begin(), tags.begin() + n_nodes);
+          for (unsigned int i = 2; i < n_nodes; ++i)
+            mesh.surface_triangles[group].push_back({{tags[0], tags[i - 1], tags[i]}});
+        }
     }
 
     GmshFile &mesh;
@@ -433,6 +437,32 @@ namespace Lahar
     for (const std::size_t tag : surface_nodes.at(find_group(2, group)))
       result.push_back(nodes.at(tag));
     return result;
+  }
+
+
+  void GmshFile::triangles_of_surface(const std::string &group, std::vector<Point<2>> &points,
+                                      std::vector<std::array<unsigned int, 3>> &triangles) const
+  {
+    const long tag = find_group(2, group);
+    std::map<std::size_t, unsigned int> numbers;
+    points.clear();
+    triangles.clear();
+    for (const std::size_t node : surface_nodes.at(tag))
+    {
+      numbers[node] = points.size();
+      points.push_back(nodes.at(node));
+    }
+    for (const auto &corners : surface_triangles.at(tag))
+    {
+      triangles.push_back({{numbers.at(corners[0]), numbers.at(corners[1]), numbers.at(corners[2])}});
+      const Point<2> &a       = nodes.at(corners[0]);
+      const Tensor<1, 2> ab   = nodes.at(corners[1]) - a, ac = nodes.at(corners[2]) - a;
+      const double twice_area = std::abs(cross_product_2d(ab) * ac);
+      if (!(twice_area > 1e-12 * (ab.norm_square() + ac.norm_square())))
+        throw InputError(file_name + ": the triangle of the nodes " + std::to_string(corners[0]) + ", " +
+                         std::to_string(corners[1]) + " and " + std::to_string(corners[2]) +
+                         " has no area. Allowed: triangles with an area.");
+    }
   }
 
 

@@ -80,14 +80,14 @@ namespace Lahar
 
 
 
-  void InitialGeometry::parse_parameters(Parameters &prm)
+  void InitialGeometry::parse_parameters(Parameters &prm, const bool has_solids)
   {
     prm.enter_subsection("Geometry");
     parse_bodies(prm);
     parse_lines(prm, "No-slip walls", false);
     parse_lines(prm, "Slip walls", true);
     parse_mesh_file(prm);
-    if (bodies.empty())
+    if (bodies.empty() && !has_solids)
       throw InputError("There is no fluid: '" + prm.path("Fluid boxes") + "', '" +
                        prm.path("Fluid polygons") + "' and '" + prm.path("Fluid groups") +
                        "' are all empty.");
@@ -229,7 +229,41 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> InitialGeometry::with_contact_points(const Line &line, const double h) const
+  void InitialGeometry::check_solids(const SolidContour<2> &solids, const double h) const
+  {
+    const auto is_deep_inside = [&](const Point<2> &p) {
+      if (!solids.is_inside(p))
+        return false;
+      for (const auto &facet : solids.wall_facets())
+        if (distance_to_segment(p, facet.corners[0], facet.corners[1]) < 1e-3 * h)
+          return false;
+      return true;
+    };
+    const auto fail = [](const std::string &what, const Point<2> &p) {
+      throw InputError(what + " overlaps a solid at " + to_text(p) +
+                       " m. Fluid, walls and solids may touch, not overlap.");
+    };
+    for (const Line &line : lines)
+      for (const Point<2> &p : sample_polyline(line.corners, 0.2 * h, line.closed))
+        if (is_deep_inside(p))
+          fail("Wall " + line.name, p);
+    for (const Body &body : bodies)
+    {
+      for (const Point<2> &p : body.contour.empty() ? body.nodes : fill_polygon(body.contour, h))
+        if (is_deep_inside(p))
+          fail("Fluid body " + body.name, p);
+      if (!body.contour.empty())
+        for (const auto &facet : solids.wall_facets())
+          if (is_inside(body.contour, facet.corners[0]) &&
+              distance_to_contour(body.contour, facet.corners[0]) > 1e-3 * h)
+            fail("Fluid body " + body.name, facet.corners[0]);
+    }
+  }
+
+
+
+  std::vector<Point<2>> InitialGeometry::with_contact_points(const Line &line, const SolidContour<2> &solids,
+                                                             const double h) const
   {
     std::vector<Point<2>> result;
     const unsigned int n_pieces = line.closed ? line.corners.size() : line.corners.size() - 1;
@@ -244,6 +278,16 @@ namespace Lahar
           if (distance_to_segment(corner, a, b) < 1e-3 * h && corner.distance(a) > 0.5 * h &&
               corner.distance(b) > 0.5 * h)
             contacts.push_back(corner);
+      // Facets in a row along the line share nodes: the ends of the row are in one only.
+      std::vector<Point<2>> on_line;
+      for (const auto &facet : solids.wall_facets())
+        if (distance_to_segment(facet.corners[0], a, b) < 1e-3 * h &&
+            distance_to_segment(facet.corners[1], a, b) < 1e-3 * h)
+          on_line.insert(on_line.end(), facet.corners.begin(), facet.corners.end());
+      for (const Point<2> &p : on_line)
+        if (std::count(on_line.begin(), on_line.end(), p) == 1 && p.distance(a) > 0.5 * h &&
+            p.distance(b) > 0.5 * h)
+          contacts.push_back(p);
       std::sort(contacts.begin(), contacts.end(), [&a](const Point<2> &p, const Point<2> &q) {
         return p.distance_square(a) < q.distance_square(a);
       });
@@ -260,10 +304,12 @@ namespace Lahar
 
 
 
-  std::vector<bool> InitialGeometry::create(const double h, ParticleCloud<2> &cloud, Walls<2> &walls) const
+  std::vector<bool> InitialGeometry::create(const double h, const SolidContour<2> &solids,
+                                            ParticleCloud<2> &cloud, Walls<2> &walls) const
   {
     check_body_sizes(h);
     check_overlaps(h);
+    check_solids(solids, h);
 
     std::vector<WallFacet<2>> facets;
     std::vector<Point<2>> wall_points;
@@ -273,14 +319,17 @@ namespace Lahar
       for (unsigned int i = 0; i + 1 < n + line.closed; ++i)
         facets.push_back({{{line.corners[i], line.corners[(i + 1) % n]}}, line.slip});
       if (!line.slip)
-        for (const Point<2> &p : sample_polyline(with_contact_points(line, h), h, line.closed))
-          wall_points.push_back(p);
+        for (const Point<2> &p : sample_polyline(with_contact_points(line, solids, h), h, line.closed))
+          if (std::none_of(solids.wall_facets().begin(), solids.wall_facets().end(), [&](const auto &facet) {
+                return distance_to_segment(p, facet.corners[0], facet.corners[1]) < 0.1 * h;
+              }))
+            wall_points.push_back(p);
     }
     walls = Walls<2>(facets);
 
     // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a wall
     // particle in the place of a fluid particle is wet.
-    std::vector<bool> wet;
+    std::vector<bool> wet(cloud.size(), false);
     const auto add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
       bool is_free = true;
       for (unsigned int i = 0; i < cloud.size(); ++i)
@@ -301,7 +350,7 @@ namespace Lahar
     for (const Body &body : bodies)
       for (const Point<2> &p : body.contour.empty() ? body.nodes : fill_polygon(body.contour, h))
         add(p, ParticleKind::fluid, 0.3 * h);
-    if (cloud.n_particles(ParticleKind::fluid) == 0)
+    if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
     return wet;
   }

@@ -5,7 +5,7 @@
 #include <lahar/linear/block_system.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 
 namespace Lahar
 {
@@ -16,66 +16,39 @@ namespace Lahar
 
 
 
-  template <int dim>
-  void BlockSystem<dim>::make_graph(const unsigned int n_nodes)
-  {
-    // Count, fill, sort and thin out the neighbours of every node.
-    std::vector<unsigned int> start(n_nodes + 1, 0);
-    for (const Cell &cell : cells)
-      for (const unsigned int node : cell)
-        start[node + 1] += n_corners;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      start[i + 1] += start[i];
-    std::vector<unsigned int> all(start[n_nodes]), end(start.begin(), start.end() - 1);
-    for (const Cell &cell : cells)
-      for (const unsigned int node : cell)
-        for (const unsigned int neighbour : cell)
-          all[end[node]++] = neighbour;
-
-    nodal_graph.row_start.assign(1, 0);
-    nodal_graph.columns.clear();
-    nodal_graph.columns.reserve(all.size() / 2);
-    for (unsigned int i = 0; i < n_nodes; ++i)
-    {
-      std::sort(all.begin() + start[i], all.begin() + end[i]);
-      nodal_graph.columns.insert(nodal_graph.columns.end(), all.begin() + start[i],
-                                 std::unique(all.begin() + start[i], all.begin() + end[i]));
-      nodal_graph.row_start.push_back(nodal_graph.columns.size());
-    }
-
-    places.resize(cells.size());
-    for (unsigned int c = 0; c < cells.size(); ++c)
-      for (unsigned int I = 0; I < n_corners; ++I)
-      {
-        const auto row_begin = nodal_graph.columns.begin() + nodal_graph.row_start[cells[c][I]];
-        const auto row_end   = nodal_graph.columns.begin() + nodal_graph.row_start[cells[c][I] + 1];
-        for (unsigned int J = 0; J < n_corners; ++J)
-          places[c][I * n_corners + J] = std::lower_bound(row_begin, row_end, cells[c][J]) - row_begin;
-      }
-  }
-
-
-
   namespace
   {
-    /// A matrix with @p row_components rows and @p column_components columns for each entry of the nodal graph.
-    void make_block(const NodalGraph &graph, const unsigned int row_components,
+    /// The places of all pairs of nodes of all cells in the rows of a graph.
+    template <typename Cell, typename Places>
+    void find_places(const NodalGraph &graph, const std::vector<Cell> &cells, Places &places)
+    {
+      places.resize(cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (unsigned int I = 0; I < cells[c].size(); ++I)
+          for (unsigned int J = 0; J < cells[c].size(); ++J)
+            places[c][I * cells[c].size() + J] = graph.place(cells[c][I], cells[c][J]);
+    }
+
+    /**
+     * A matrix with @p row_components rows and @p column_components columns for each entry of the graph, in which
+     * @p n_row_nodes and @p n_column_nodes nodes exist.
+     */
+    void make_block(const NodalGraph &graph, const unsigned int n_row_nodes,
+                    const unsigned int row_components, const unsigned int n_column_nodes,
                     const unsigned int column_components, const Epetra_Comm &communicator,
                     TrilinosWrappers::SparseMatrix &matrix)
     {
-      const unsigned int n_nodes = graph.row_start.size() - 1;
-      const Epetra_Map rows(static_cast<int>(n_nodes * row_components), 0, communicator);
-      const Epetra_Map columns(static_cast<int>(n_nodes * column_components), 0, communicator);
+      const Epetra_Map rows(static_cast<int>(n_row_nodes * row_components), 0, communicator);
+      const Epetra_Map columns(static_cast<int>(n_column_nodes * column_components), 0, communicator);
 
-      std::vector<int> row_lengths(n_nodes * row_components);
-      for (unsigned int i = 0; i < n_nodes; ++i)
+      std::vector<int> row_lengths(n_row_nodes * row_components);
+      for (unsigned int i = 0; i < n_row_nodes; ++i)
         for (unsigned int a = 0; a < row_components; ++a)
-          row_lengths[i * row_components + a] = (graph.row_start[i + 1] - graph.row_start[i]) *
-                                                column_components;
+          row_lengths[i * row_components + a] = graph.degree(i) * column_components;
 
       Epetra_CrsGraph crs_graph(Copy, rows, columns, row_lengths.data(), true);
       std::vector<int> indices;
-      for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int i = 0; i < std::min(n_row_nodes, graph.n_rows()); ++i)
       {
         indices.clear();
         for (unsigned int k = graph.row_start[i]; k < graph.row_start[i + 1]; ++k)
@@ -108,19 +81,46 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::reinit(const unsigned int n_nodes, const std::vector<Cell> &new_cells)
+  void BlockSystem<dim>::reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &new_cells,
+                                const unsigned int n_solid_nodes,
+                                const std::vector<unsigned int> &new_solid_cells,
+                                const unsigned int new_nodes_per_solid_cell)
   {
-    cells = new_cells;
+    cells                = new_cells;
+    solid_cells          = new_solid_cells;
+    nodes_per_solid_cell = new_nodes_per_solid_cell;
     ++n_reinits;
-    make_graph(n_nodes);
+    const unsigned int n_nodes = n_fluid_nodes + n_solid_nodes;
+    const CellList fluid_list{cells.empty() ? nullptr : cells.front().data(),
+                              static_cast<unsigned int>(cells.size()), n_corners};
+    pressure_graph.reinit(n_fluid_nodes, {fluid_list});
+    find_places(pressure_graph, cells, places);
+    if (solid_cells.empty())
+    {
+      all_graph       = pressure_graph;
+      velocity_places = places;
+    }
+    else
+    {
+      const unsigned int n_solid_cells = solid_cells.size() / nodes_per_solid_cell;
+      const CellList solid_list{solid_cells.data(), n_solid_cells, nodes_per_solid_cell};
+      all_graph.reinit(n_nodes, {fluid_list, solid_list});
+      find_places(all_graph, cells, velocity_places);
+      solid_places.clear();
+      for (unsigned int c = 0; c < n_solid_cells; ++c)
+        for (const unsigned int *I = solid_list.begin(c); I != solid_list.end(c); ++I)
+          for (const unsigned int *J = solid_list.begin(c); J != solid_list.end(c); ++J)
+            solid_places.push_back(all_graph.place(*I, *J));
+    }
 
     const Epetra_MpiComm epetra_communicator(communicator);
-    const unsigned int components[2] = {dim, 1};
+    const unsigned int components[2] = {dim, 1}, block_nodes[2] = {n_nodes, n_fluid_nodes};
     block_matrix.reinit(2, 2);
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
       {
-        make_block(nodal_graph, components[row], components[column], epetra_communicator,
+        make_block(row == 0 && column == 0 ? all_graph : pressure_graph, block_nodes[row], components[row],
+                   block_nodes[column], components[column], epetra_communicator,
                    block_matrix.block(row, column));
         block_values[row][column] = values_of(block_matrix.block(row, column));
       }
@@ -131,7 +131,8 @@ namespace Lahar
     rhs      = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();
-    residuals.resize(n_nodes);
+    residuals.resize(n_fluid_nodes);
+    solid_residuals.resize(n_nodes);
   }
 
 
@@ -139,8 +140,8 @@ namespace Lahar
   template <int dim>
   typename BlockSystem<dim>::Vector BlockSystem<dim>::make_vector() const
   {
-    const unsigned int n = nodal_graph.row_start.size() - 1;
-    return Vector({complete_index_set(dim * n), complete_index_set(n)}, communicator);
+    return Vector({complete_index_set(dim * all_graph.n_rows()), complete_index_set(n_fluid_nodes())},
+                  communicator);
   }
 
 
@@ -160,14 +161,16 @@ namespace Lahar
   template <int dim>
   void BlockSystem<dim>::set_zero()
   {
-    const std::size_t n_entries     = nodal_graph.columns.size();
     const std::size_t components[2] = {dim, 1};
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
-        std::memset(block_values[row][column], 0,
-                    n_entries * components[row] * components[column] * sizeof(double));
+      {
+        const std::size_t n_entries = (row == 0 && column == 0 ? all_graph : pressure_graph).columns.size();
+        std::fill_n(block_values[row][column], n_entries * components[row] * components[column], 0.);
+      }
     rhs = 0.;
     std::fill(residuals.begin(), residuals.end(), Tensor<1, dim>());
+    std::fill(solid_residuals.begin(), solid_residuals.end(), Tensor<1, dim>());
   }
 
 
@@ -247,19 +250,20 @@ namespace Lahar
 
     for (unsigned int I = 0; I < n_corners; ++I)
     {
-      const std::size_t start  = nodal_graph.row_start[cell[I]];
-      const std::size_t degree = nodal_graph.row_start[cell[I] + 1] - start;
+      const std::size_t start = pressure_graph.row_start[cell[I]], degree = pressure_graph.degree(cell[I]);
+      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
+      const std::size_t K_degree = all_graph.degree(cell[I]);
       for (unsigned int a = 0; a < dim; ++a)
         rhs_values[0][dim * cell[I] + a] -= local_residual[I * n_corners + a];
       rhs_values[1][cell[I]] -= local_residual[I * n_corners + dim];
 
       for (unsigned int J = 0; J < n_corners; ++J)
       {
-        const unsigned int place = places[c][I * n_corners + J];
+        const unsigned int place = places[c][I * n_corners + J], K_place = velocity_places[c][I * n_corners + J];
         for (unsigned int a = 0; a < dim; ++a)
         {
           const double *row = &local_matrix[I * n_corners + a][J * n_corners];
-          double *K         = block_values[0][0] + dim * dim * start + dim * (a * degree + place);
+          double *K         = K_rows + dim * (a * K_degree + K_place);
           for (unsigned int b = 0; b < dim; ++b)
             K[b] += row[b];
           block_values[0][1][dim * start + a * degree + place] += row[dim];
@@ -270,6 +274,57 @@ namespace Lahar
         block_values[1][1][start + place] += row[dim];
       }
     }
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::add_solid(const unsigned int c, FullMatrix<double> &matrix,
+                                   dealii::Vector<double> &residual)
+  {
+    const unsigned int n     = nodes_per_solid_cell;
+    const unsigned int *cell = &solid_cells[static_cast<std::size_t>(c) * n];
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        solid_residuals[cell[I]][a] += residual[I * dim + a];
+      AssertThrow(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
+                  ExcNotImplemented());
+      if (constraints[cell[I]].n_fixed == dim)
+        for (unsigned int a = 0; a < dim; ++a)
+        {
+          const unsigned int i  = I * dim + a;
+          const double diagonal = matrix(i, i);
+          for (unsigned int k = 0; k < n * dim; ++k)
+            matrix(i, k) = matrix(k, i) = 0.;
+          matrix(i, i) = std::abs(diagonal);
+          residual[i]  = 0.;
+        }
+    }
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
+      const std::size_t K_degree   = all_graph.degree(cell[I]);
+      const unsigned short *row_places = &solid_places[(static_cast<std::size_t>(c) * n + I) * n];
+      for (unsigned int a = 0; a < dim; ++a)
+      {
+        rhs_values[0][dim * cell[I] + a] -= residual[I * dim + a];
+        for (unsigned int J = 0; J < n; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            K_rows[dim * (a * K_degree + row_places[J]) + b] += matrix(I * dim + a, J * dim + b);
+      }
+    }
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::add_solid(const unsigned int node, const Tensor<1, dim> &residual)
+  {
+    solid_residuals[node] += residual;
+    if (constraints[node].n_fixed == 0)
+      for (unsigned int a = 0; a < dim; ++a)
+        rhs_values[0][dim * node + a] -= residual[a];
   }
 
 

@@ -86,33 +86,73 @@ namespace Lahar
 
   namespace
   {
+    /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the fluid.
+    template <int dim>
+    unsigned int first_unknown(const BlockSystem<dim> &system, const unsigned int node)
+    {
+      return dim * node + std::min(node, system.n_fluid_nodes());
+    }
+
+    /**
+     * Go through the entries of a node's velocity rows in that order: @p velocity(k) is called for the k-th neighbour in
+     * the velocity graph, and after it @p pressure(l) if this is the l-th one in the graph of the pressures.
+     */
+    template <int dim, typename Velocity, typename Pressure>
+    void for_each_entry(const BlockSystem<dim> &system, const unsigned int node, const Velocity &velocity,
+                        const Pressure &pressure)
+    {
+      const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
+      const unsigned int n_fluid  = fluid.degree(node);
+      const unsigned int *columns = n_fluid > 0 ? &fluid.columns[fluid.row_start[node]] : nullptr;
+      for (unsigned int k = 0, l = 0; k < all.degree(node); ++k)
+      {
+        velocity(k);
+        if (l < n_fluid && columns[l] == all.columns[all.row_start[node] + k])
+          pressure(l++);
+      }
+    }
+
     /// The block system as one matrix, the unknowns of a node side by side. Only the pattern and room for the values.
     template <int dim>
     std::unique_ptr<Epetra_CrsMatrix> make_interleaved(const BlockSystem<dim> &system)
     {
-      constexpr unsigned int n_components = dim + 1;
-      const NodalGraph &graph             = system.graph();
-      const unsigned int n_nodes          = system.n_nodes();
-      const Epetra_Comm &communicator     = system.matrix().block(0, 0).trilinos_matrix().Comm();
-      const Epetra_Map rows(static_cast<int>(n_nodes * n_components), 0, communicator);
+      const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
+      const unsigned int n_nodes = system.n_nodes();
+      const Epetra_Map rows(static_cast<int>(first_unknown(system, n_nodes)), 0,
+                            system.matrix().block(0, 0).trilinos_matrix().Comm());
 
-      std::vector<int> row_lengths(n_nodes * n_components);
+      std::vector<int> row_lengths;
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int a = 0; a < n_components; ++a)
-          row_lengths[i * n_components + a] = (graph.row_start[i + 1] - graph.row_start[i]) * n_components;
+      {
+        row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i) + fluid.degree(i));
+        if (i < system.n_fluid_nodes())
+          row_lengths.push_back((dim + 1) * fluid.degree(i));
+      }
       auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, rows, rows, row_lengths.data(), true);
 
-      std::vector<int> indices;
+      std::vector<int> velocity_row, pressure_row;
       std::vector<double> zeros;
       for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        indices.clear();
-        for (unsigned int k = graph.row_start[i]; k < graph.row_start[i + 1]; ++k)
-          for (unsigned int b = 0; b < n_components; ++b)
-            indices.push_back(graph.columns[k] * n_components + b);
-        zeros.assign(indices.size(), 0.);
-        for (unsigned int a = 0; a < n_components; ++a)
-          matrix->InsertMyValues(i * n_components + a, indices.size(), zeros.data(), indices.data());
+        velocity_row.clear();
+        pressure_row.clear();
+        for_each_entry(
+          system, i,
+          [&](const unsigned int k) {
+            const unsigned int first = first_unknown(system, all.columns[all.row_start[i] + k]);
+            for (unsigned int b = 0; b < dim; ++b)
+              velocity_row.push_back(first + b);
+          },
+          [&](const unsigned int) {
+            velocity_row.push_back(velocity_row.back() + 1);
+            pressure_row.insert(pressure_row.end(), velocity_row.end() - dim - 1, velocity_row.end());
+          });
+        zeros.assign(velocity_row.size(), 0.);
+        const unsigned int row = first_unknown(system, i);
+        for (unsigned int a = 0; a < dim; ++a)
+          matrix->InsertMyValues(row + a, velocity_row.size(), zeros.data(), velocity_row.data());
+        if (i < system.n_fluid_nodes())
+          matrix->InsertMyValues(row + dim, pressure_row.size(), zeros.data(), pressure_row.data());
       }
       matrix->FillComplete();
       matrix->OptimizeStorage();
@@ -130,15 +170,15 @@ namespace Lahar
                    *H = system.values(1, 1);
       for (unsigned int i = 0; i < system.n_nodes(); ++i)
       {
-        const unsigned int degree = system.graph().row_start[i + 1] - system.graph().row_start[i];
         for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int k = 0; k < degree; ++k)
-          {
-            for (unsigned int b = 0; b < dim; ++b)
-              *values++ = *K++;
-            *values++ = *Q++;
-          }
-        for (unsigned int k = 0; k < degree; ++k)
+          for_each_entry(
+            system, i,
+            [&](const unsigned int) {
+              for (unsigned int b = 0; b < dim; ++b)
+                *values++ = *K++;
+            },
+            [&](const unsigned int) { *values++ = *Q++; });
+        for (unsigned int k = 0; k < system.graph().degree(i); ++k)
         {
           for (unsigned int b = 0; b < dim; ++b)
             *values++ = *C++;
@@ -169,15 +209,16 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::apply_whole(const Vector &right_hand_side, Vector &solution)
   {
-    constexpr unsigned int n_components = dim + 1;
-    const unsigned int n_nodes          = right_hand_side.block(1).size();
+    const unsigned int n_fluid_nodes = right_hand_side.block(1).size(),
+                       n_nodes       = right_hand_side.block(0).size() / dim;
     const double *v = right_hand_side.block(0).begin(), *p = right_hand_side.block(1).begin();
     double *interleaved = (*whole.right_hand_side)[0];
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
       for (unsigned int a = 0; a < dim; ++a)
-        interleaved[n_components * i + a] = v[dim * i + a];
-      interleaved[n_components * i + dim] = p[i];
+        *interleaved++ = *v++;
+      if (i < n_fluid_nodes)
+        *interleaved++ = *p++;
     }
     whole.apply();
 
@@ -186,8 +227,9 @@ namespace Lahar
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
       for (unsigned int a = 0; a < dim; ++a)
-        v_out[dim * i + a] = interleaved[n_components * i + a];
-      p_out[i] = interleaved[n_components * i + dim];
+        *v_out++ = *interleaved++;
+      if (i < n_fluid_nodes)
+        *p_out++ = *interleaved++;
     }
   }
 

@@ -3,24 +3,21 @@
 
 #include <lahar/linear/schur_complement.h>
 
-#include <algorithm>
 
 namespace Lahar
 {
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix> make_schur_complement(const BlockSystem<dim> &system)
   {
-    const unsigned int n_nodes                 = system.n_nodes();
+    const unsigned int n_nodes                 = system.n_fluid_nodes();
+    const NodalGraph &velocity_graph           = system.velocity_graph();
     const std::vector<unsigned int> &row_start = system.graph().row_start, &columns = system.graph().columns;
     const double *K = system.values(0, 0), *Q = system.values(0, 1), *C = system.values(1, 0),
                  *H = system.values(1, 1);
 
     const auto diagonal = [&](const unsigned int node, const unsigned int a) {
-      const unsigned int start = row_start[node], degree = row_start[node + 1] - start;
-      const unsigned int place = std::lower_bound(columns.begin() + start, columns.begin() + start + degree,
-                                                  node) -
-                                 (columns.begin() + start);
-      return K[dim * dim * start + dim * (a * degree + place) + a];
+      const unsigned int start = velocity_graph.row_start[node], degree = velocity_graph.degree(node);
+      return K[dim * dim * start + dim * (a * degree + velocity_graph.place(node, node)) + a];
     };
 
     const Epetra_Map rows(static_cast<int>(n_nodes), 0, system.matrix().block(0, 0).trilinos_matrix().Comm());

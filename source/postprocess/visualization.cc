@@ -7,9 +7,12 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <lahar/assembly/fluid_cell.h>
+#include <lahar/postprocess/solid_output.h>
 #include <lahar/postprocess/visualization.h>
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/atomic_file.h>
+
+#include <iomanip>
 
 namespace Lahar
 {
@@ -22,6 +25,42 @@ namespace Lahar
 
   template <int dim>
   void Visualization<dim>::write(const Snapshot<dim> &snapshot)
+  {
+    const std::string ending = "-" + Utilities::int_to_string(n_written++, 5) + ".vtu";
+    if (snapshot.mesh.n_cells() > 0)
+    {
+      write_fluid(snapshot, "solution" + ending);
+      records.push_back({snapshot.time, 0, "solution" + ending});
+    }
+    if (!snapshot.solids.empty())
+    {
+      const SolidOutput<dim> output(snapshot.solids);
+      write_atomically(directory + "/solid" + ending, [&](std::ostream &file) { output.write_vtu(file); });
+      records.push_back({snapshot.time, 1, "solid" + ending});
+    }
+    write_records();
+  }
+
+
+
+  template <int dim>
+  void Visualization<dim>::write_records() const
+  {
+    write_atomically(directory + "/solution.pvd", [&](std::ostream &file) {
+      file << "<?xml version=\"1.0\"?>\n"
+              "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n"
+           << std::setprecision(12);
+      for (const Record &record : records)
+        file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part << "\" file=\""
+             << record.file_name << "\"/>\n";
+      file << "</Collection>\n</VTKFile>\n";
+    });
+  }
+
+
+
+  template <int dim>
+  void Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot, const std::string &file_name) const
   {
     const FluidMesh<dim> &mesh      = snapshot.mesh;
     const ParticleCloud<dim> &cloud = snapshot.cloud;
@@ -68,11 +107,7 @@ namespace Lahar
     data_out.add_data_vector(yielded, "yielded", DataOut<dim>::type_cell_data);
     data_out.build_patches(mesh.mapping());
 
-    const std::string file_name = "solution-" + Utilities::int_to_string(records.size(), 5) + ".vtu";
     write_atomically(directory + "/" + file_name, [&](std::ostream &file) { data_out.write_vtu(file); });
-    records.emplace_back(snapshot.time, file_name);
-    write_atomically(directory + "/solution.pvd",
-                     [&](std::ostream &file) { DataOutBase::write_pvd_record(file, records); });
   }
 
 

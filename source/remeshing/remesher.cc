@@ -26,12 +26,31 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    template <int dim>
+    std::vector<Simplex<dim>> triangulate(const std::vector<Point<dim>> &points,
+                                          const std::vector<std::array<unsigned int, dim>> &solid_facets,
+                                          unsigned int &n_forced)
+    {
+      n_forced = 0;
+      if constexpr (dim == 2)
+        if (!solid_facets.empty())
+          return constrained_delaunay(points, solid_facets, n_forced);
+      return delaunay<dim>(points);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void Remesher<dim>::create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                  const std::vector<bool> &wet, FluidMesh<dim> &mesh) const
+                                  const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
+                                  FluidMesh<dim> &mesh) const
   {
+    unsigned int n_forced;
     std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &simplex : delaunay<dim>(cloud.position))
+    for (const Simplex<dim> &simplex : triangulate<dim>(cloud.position, solid_facets, n_forced))
       if (std::all_of(simplex.begin(), simplex.end(),
                       [&](const unsigned int particle) { return wet[particle]; }) &&
           alpha_shape.accepts_plain(simplex, cloud, walls))
@@ -43,14 +62,16 @@ namespace Lahar
 
   template <int dim>
   typename Remesher<dim>::Report Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                                       const std::vector<Facet> &solid_facets,
                                                        const double time_step, FluidMesh<dim> &mesh) const
   {
+    Report report;
     OldDomain<dim> old_domain(cloud, mesh);
     particle_spacing.adapt(cloud, walls, mesh, old_domain);
 
     std::vector<Simplex<dim>> cells;
     std::vector<bool> arriving(cloud.size(), false);
-    for (const Simplex<dim> &simplex : delaunay<dim>(cloud.position))
+    for (const Simplex<dim> &simplex : triangulate<dim>(cloud.position, solid_facets, report.n_forced))
     {
       const auto verdict = alpha_shape.judge(simplex, cloud, walls, old_domain, time_step);
       if (verdict != AlphaShape<dim>::Verdict::no_fluid)
@@ -59,7 +80,6 @@ namespace Lahar
         for (const unsigned int particle : simplex)
           arriving[particle] = true;
     }
-    Report report;
     report.changed = mesh.reinit(cloud, cells);
     for (const unsigned int particle : mesh.particles())
       report.arrives.push_back(arriving[particle]);

@@ -89,7 +89,7 @@ namespace Lahar
 
 
   template <int dim>
-  ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const FluidProblem<dim> &problem) const
+  ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const StepProblem<dim> &problem) const
   {
     return viscosity == ViscosityLinearization::primal_dual && problem.law().yield_stress() == 0.
              ? ViscosityLinearization::newton
@@ -99,7 +99,7 @@ namespace Lahar
 
 
   template <int dim>
-  NonlinearReport NonlinearScheme<dim>::solve(FluidProblem<dim> &problem)
+  NonlinearReport NonlinearScheme<dim>::solve(StepProblem<dim> &problem)
   {
     NonlinearReport report;
     try
@@ -128,7 +128,7 @@ namespace Lahar
 
 
   template <int dim>
-  void CoupledScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report)
+  void CoupledScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
   {
     typename NonlinearScheme<dim>::Linearization linearization;
     linearization.viscosity = this->viscosity_linearization(problem);
@@ -184,7 +184,7 @@ namespace Lahar
 
 
   template <int dim>
-  void SegregatedScheme<dim>::iterate(FluidProblem<dim> &problem, NonlinearReport &report)
+  void SegregatedScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
   {
     if (report.iterations == 1)
       acceleration.restart();

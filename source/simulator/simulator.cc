@@ -8,7 +8,7 @@
 namespace Lahar
 {
   template <int dim>
-  void Simulator<dim>::declare_parameters(Parameters &prm)
+  void Simulator<dim>::declare_parameters(Parameters &prm, const unsigned int n_solids)
   {
     RunParameters::declare_parameters(prm);
     prm.declare_entry("Gravity", dim == 2 ? "0, -9.81" : "0, 0, -9.81", Patterns::Anything(),
@@ -19,9 +19,10 @@ namespace Lahar
     TimeIntegration::declare_parameters(prm);
     InitialGeometry::declare_parameters(prm);
     FluidLaw::declare_parameters(prm);
+    Solids<dim>::declare_parameters(prm, n_solids);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
-    FluidProblem<dim>::declare_parameters(prm);
+    StepProblem<dim>::declare_parameters(prm);
     Postprocessor<dim>::declare_all(prm);
   }
 
@@ -39,7 +40,8 @@ namespace Lahar
     gravity          = prm.get_vector<dim>("Gravity");
     initial_velocity = prm.get("Initial velocity");
     time_integration.parse_parameters(prm);
-    geometry.parse_parameters(prm);
+    solids.parse_parameters(prm);
+    geometry.parse_parameters(prm, !solids.empty());
     law = FluidLaw::create(prm);
     remesher.parse_parameters(prm);
     scheme = NonlinearScheme<dim>::create(prm);
@@ -52,14 +54,19 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    const std::vector<bool> wet = geometry.create(parameters.mesh_size, particles, walls);
+    warnings = solids.create(parameters.mesh_size);
+    solids.append_particles(parameters.mesh_size, particles);
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
     set_initial_velocities();
     slip_condition.initialize(particles);
-    remesher.create_mesh(particles, walls, wet, fluid_mesh);
+    remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, fluid_mesh);
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
-    if (fluid_mesh.n_cells() == 0)
+    if (geometry.has_fluid() && fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
+    for (const auto &postprocessor : postprocessors)
+      postprocessor->initialize(solids);
     time           = parameters.start_time;
     initial_volume = volume = fluid_mesh.volume(particles);
   }
@@ -99,6 +106,10 @@ namespace Lahar
          << particles.n_particles(ParticleKind::wall) << "\nFluid cells      " << fluid_mesh.n_cells()
          << "\nUnknowns         " << (dim + 1) * fluid_mesh.n_vertices() << "\nFluid volume     "
          << initial_volume << (dim == 2 ? " m^2" : " m^3");
+    if (!solids.empty())
+      text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      " << solids.mesh().n_cells();
+    for (const std::string &warning : warnings)
+      text << '\n' << warning;
     return text.str();
   }
 
@@ -149,17 +160,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::step(double &time_step)
   {
-    if (step_number > 0)
-    {
-      TimerOutput::Scope scope(timer, "Remesh");
-      remeshing               = remesher.remesh(particles, walls, time_step, fluid_mesh);
-      const double new_volume = fluid_mesh.volume(particles);
-      change_by_remeshing += (new_volume - volume) / initial_volume;
-      volume = new_volume;
-      if (fluid_mesh.n_cells() == 0)
-        throw RunError("Time " + std::to_string(time) +
-                       " s: no fluid cell is left, all particles are isolated.");
-    }
+    if (step_number > 0 && geometry.has_fluid())
+      remesh(time_step);
 
     NonlinearReport report;
     for (bool accepted = false; !accepted;)
@@ -167,7 +169,7 @@ namespace Lahar
       {
         time_integration.start_step(time_step, step_number == 0);
         problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
-                           remeshing.arrives);
+                           remeshing.arrives, solids, time + time_step);
         report   = scheme->solve(problem);
         accepted = true;
       }
@@ -185,25 +187,74 @@ namespace Lahar
         time_step *= 0.5;
       }
 
-    {
-      TimerOutput::Scope scope(timer, "Update");
-      const std::vector<Point<dim>> old_position = particles.position;
-      problem.accept(particles);
-      wall_forces             = problem.reactions();
-      const double new_volume = fluid_mesh.volume(particles);
-      change_by_solver += (new_volume - volume) / initial_volume;
-      volume = new_volume;
-
-      move_isolated_particles(fluid_mesh, gravity, time_step, particles);
-      stop_at_walls(old_position, walls, particles);
-      slip_condition.update(old_position, particles);
-      fluid_mesh.move(particles);
-    }
-
+    move_particles(time_step);
     time += time_step;
     ++step_number;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::remesh(const double time_step)
+  {
+    TimerOutput::Scope scope(timer, "Remesh");
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    try
+    {
+      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh);
+    }
+    catch (const RunError &error)
+    {
+      throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
+    }
+    n_forced_facets += remeshing.n_forced;
+    const double new_volume = fluid_mesh.volume(particles);
+    change_by_remeshing += (new_volume - volume) / initial_volume;
+    volume = new_volume;
+    if (fluid_mesh.n_cells() == 0 && solids.empty())
+      throw RunError("Time " + std::to_string(time) + " s: no fluid cell is left, all particles are isolated.");
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::move_particles(const double time_step)
+  {
+    TimerOutput::Scope scope(timer, "Update");
+    const std::vector<Point<dim>> old_position = particles.position;
+    problem.accept(particles, solids);
+    wall_forces  = problem.reactions();
+    solid_forces = problem.solid_reactions();
+    if (geometry.has_fluid())
+    {
+      const double new_volume = fluid_mesh.volume(particles);
+      change_by_solver += (new_volume - volume) / initial_volume;
+      volume = new_volume;
+    }
+
+    std::vector<bool> in_mesh(particles.size(), false);
+    for (const unsigned int particle : fluid_mesh.particles())
+      in_mesh[particle] = true;
+    solids.move_particles(in_mesh, particles);
+    move_isolated_particles(fluid_mesh, gravity, time_step, particles);
+    stop_at_walls(old_position, walls, particles);
+    n_kept_out += SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles);
+    slip_condition.update(old_position, particles);
+    fluid_mesh.move(particles);
+  }
+
+
+
+  template <int dim>
+  Walls<dim> Simulator<dim>::obstacles(const SolidContour<dim> &contour) const
+  {
+    if (solids.empty())
+      return walls;
+    std::vector<WallFacet<dim>> facets = walls.facets();
+    facets.insert(facets.end(), contour.wall_facets().begin(), contour.wall_facets().end());
+    return Walls<dim>(facets);
   }
 
 
@@ -223,7 +274,7 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot() const
   {
-    return {particles, fluid_mesh, *law, gravity, wall_forces, time};
+    return {particles, fluid_mesh, *law, gravity, wall_forces, solids, solid_forces, time};
   }
 
 
@@ -241,13 +292,18 @@ namespace Lahar
     add_to_column(statistics, "Mass residual (m^dim/s)", report.mass_residual);
     statistics.add_value("Linear iterations", report.linear_iterations);
     statistics.add_value("Fluid cells", fluid_mesh.n_cells());
-    statistics.add_value("Solid cells", 0U);
+    statistics.add_value("Solid cells", solids.mesh().n_cells());
     statistics.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
     add_to_column(statistics, "Fluid volume (m^dim)", volume);
     add_to_column(statistics, "Volume change by solver", change_by_solver);
     add_to_column(statistics, "Volume change by remeshing", change_by_remeshing);
     statistics.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
     statistics.add_value("Rejected steps", n_rejected);
+    if (!solids.empty())
+    {
+      statistics.add_value("Mended contour facets", n_forced_facets);
+      statistics.add_value("Particles kept out of solids", n_kept_out);
+    }
     for (const auto &postprocessor : postprocessors)
       postprocessor->evaluate(snapshot(), statistics);
     add_to_column(statistics, "Wall time (s)", progress->wall_time());

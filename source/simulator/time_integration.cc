@@ -26,6 +26,15 @@ namespace Lahar
 
 
 
+  TimeIntegration TimeIntegration::with_gamma(const double other_gamma) const
+  {
+    TimeIntegration other = *this;
+    other.newmark_gamma   = other_gamma;
+    return other;
+  }
+
+
+
   void TimeIntegration::start_step(const double new_time_step, const bool is_first)
   {
     time_step = new_time_step;

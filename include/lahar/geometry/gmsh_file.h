@@ -31,6 +31,13 @@ namespace Lahar
     /// exist.
     std::vector<Point<2>> nodes_of_surface(const std::string &group) const;
 
+    /**
+     * The physical surface @p group as triangles: its nodes, and corner numbers in @p points. A quadrilateral counts as two.
+     * @throws InputError with the names that exist, or for a triangle without area.
+     */
+    void triangles_of_surface(const std::string &group, std::vector<Point<2>> &points,
+                              std::vector<std::array<unsigned int, 3>> &triangles) const;
+
     /// Edges of the physical curve @p group, in the order of the file. @throws InputError with the names that exist.
     std::vector<std::array<Point<2>, 2>> edges_of_curve(const std::string &group) const;
 
@@ -46,6 +53,7 @@ namespace Lahar
     std::map<std::pair<unsigned int, std::string>, long> groups; ///< group tags, by dimension and name
     std::map<long, std::vector<std::array<std::size_t, 2>>> curve_edges; ///< node tags, by group tag
     std::map<long, std::set<std::size_t>> surface_nodes;                 ///< node tags, by group tag
+    std::map<long, std::vector<std::array<std::size_t, 3>>> surface_triangles; ///< node tags, by group tag
   };
 } // namespace Lahar
 

@@ -4,8 +4,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/tensor.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
+#include <deal.II/lac/vector.h>
+
+#include <lahar/linear/nodal_graph.h>
 
 #include <array>
 #include <vector>
@@ -25,13 +29,6 @@ namespace Lahar
     Tensor<2, dim> frame = unit_symmetric_tensor<dim>();
   };
 
-  /// Rows of the nodal graph: the neighbours of node i are columns[row_start[i]] … columns[row_start[i+1]−1], ascending.
-  struct NodalGraph
-  {
-    std::vector<unsigned int> row_start;
-    std::vector<unsigned int> columns;
-  };
-
   /**
    * The Trilinos block system of one nonlinear iteration,
    *
@@ -39,8 +36,12 @@ namespace Lahar
    *   [ C   H ] [δp] = − [ R_p ],
    *
    * C = −Qᵀ but for stabilisation and geometry. Velocity component a of node i is unknown dim i + a of block 0, its
-   * pressure unknown i of block 1. In all four blocks the columns of a row follow the nodal graph, so the place of an
+   * pressure unknown i of block 1. In all four blocks the columns of a row follow a nodal graph, so the place of an
    * entry is computed, not searched for: add() costs one table lookup per pair of nodes.
+   *
+   * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the two
+   * share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow graph(),
+   * which has the fluid's.
    *
    * Prescribed components are eliminated while cells are added: their rows and columns stay empty but for the diagonal,
    * their right-hand side is zero (increments keep prescribed values). Nodes with a skew frame have their unknowns in it.
@@ -56,8 +57,13 @@ namespace Lahar
 
     explicit BlockSystem(const MPI_Comm &communicator);
 
-    /// Number the unknowns and make the matrices for a new mesh of @p cells with @p n_nodes nodes.
-    void reinit(const unsigned int n_nodes, const std::vector<Cell> &cells);
+    /**
+     * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for the
+     * @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own.
+     */
+    void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
+                const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
+                const unsigned int nodes_per_solid_cell = 0);
 
     /// Set the prescribed components, one entry a node.
     void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
@@ -73,14 +79,32 @@ namespace Lahar
              const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
              const std::array<double, n_corners * n_corners> &residual);
 
+    /// Add matrix and residual of solid cell @p c; local unknown (I, component) has the index I dim + component.
+    void add_solid(const unsigned int c, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
+
+    /// Add a force of a node, to residual and solid_residual().
+    void add_solid(const unsigned int node, const Tensor<1, dim> &residual);
+
+    /// All nodes.
     unsigned int n_nodes() const
     {
       return constraints.size();
     }
 
+    /// Nodes with a pressure.
+    unsigned int n_fluid_nodes() const
+    {
+      return pressure_graph.n_rows();
+    }
+
     const NodalGraph &graph() const
     {
-      return nodal_graph;
+      return pressure_graph;
+    }
+
+    const NodalGraph &velocity_graph() const
+    {
+      return all_graph;
     }
 
     /// Counts the calls of reinit(): solvers keep what belongs to one sparsity pattern.
@@ -94,7 +118,7 @@ namespace Lahar
       return block_matrix;
     }
 
-    /// Values of block (@p row, @p column) in the order of the nodal graph.
+    /// Values of block (@p row, @p column) in the order of the block's graph.
     const double *values(const unsigned int row, const unsigned int column) const
     {
       return block_values[row][column];
@@ -115,26 +139,35 @@ namespace Lahar
     double pressure(const Vector &solution, const unsigned int node) const;
 
     /**
-     * Sum over the cells of the momentum residual of each node, prescribed components included, N: at a node whose
-     * velocity is prescribed it is the force of the wall on the fluid.
+     * Sum over the fluid's cells of the momentum residual of each fluid node, prescribed components included, N: where
+     * the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid.
      */
     const std::vector<Tensor<1, dim>> &momentum_residual() const
     {
       return residuals;
     }
 
+    /// The same for the solids' cells, of all nodes.
+    const std::vector<Tensor<1, dim>> &solid_residual() const
+    {
+      return solid_residuals;
+    }
+
   private:
-    void make_graph(const unsigned int n_nodes);
     void rotate(const Cell &cell,
                 std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
                 std::array<double, n_corners * n_corners> &residual) const;
 
     MPI_Comm communicator;
 
+    using Places = std::vector<std::array<unsigned short, n_corners * n_corners>>;
+
     std::vector<Cell> cells;
-    std::vector<std::array<unsigned short, n_corners * n_corners>>
-      places; ///< of node J in the row of node I, by cell
-    NodalGraph nodal_graph;
+    std::vector<unsigned int> solid_cells;
+    unsigned int nodes_per_solid_cell = 0;
+    NodalGraph pressure_graph, all_graph;
+    Places places, velocity_places; ///< of node J in the row of node I of the two graphs, by cell
+    std::vector<unsigned short> solid_places;
     unsigned int n_reinits = 0;
 
     std::vector<NodeConstraint<dim>> constraints;
@@ -144,7 +177,7 @@ namespace Lahar
     Vector rhs;
     std::array<std::array<double *, 2>, 2> block_values = {};
     std::array<double *, 2> rhs_values                  = {};
-    std::vector<Tensor<1, dim>> residuals;
+    std::vector<Tensor<1, dim>> residuals, solid_residuals;
   };
 } // namespace Lahar
 

@@ -7,6 +7,7 @@
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/solid/solids.h>
 
 #include <memory>
 #include <vector>
@@ -22,7 +23,9 @@ namespace Lahar
     const FluidLaw &law;
     const Tensor<1, dim> &gravity;
     const std::vector<Tensor<1, dim>>
-      &wall_forces; ///< force of the walls on the fluid by vertex, N; empty at the start
+      &wall_forces; ///< force of walls and solids on the fluid by vertex, N; empty at the start
+    const Solids<dim> &solids;
+    const std::vector<Tensor<1, dim>> &solid_forces; ///< force of fluid and supports on the solids by node, N
     double time = 0.;
   };
 
@@ -39,6 +42,9 @@ namespace Lahar
     virtual ~Postprocessor() = default;
 
     virtual void parse_parameters(Parameters &prm) = 0;
+
+    /// Called once, when the solids have their mesh.
+    virtual void initialize(const Solids<dim> & /*solids*/) {}
 
     /// Add this step's values to @p statistics, the same columns in every step.
     virtual void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const = 0;

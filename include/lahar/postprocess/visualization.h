@@ -10,7 +10,8 @@
 namespace Lahar
 {
   /**
-   * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView.
+   * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView. Solids have files
+   * of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part.
    *
    * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate, effective_viscosity,
    * yielded. Files are written under a temporary name first, so that each that has its final name is complete.
@@ -25,8 +26,20 @@ namespace Lahar
     void write(const Snapshot<dim> &snapshot);
 
   private:
+    /// A file in solution.pvd.
+    struct Record
+    {
+      double time;
+      unsigned int part; ///< 0: fluid, 1: solids
+      std::string file_name;
+    };
+
+    void write_fluid(const Snapshot<dim> &snapshot, const std::string &file_name) const;
+    void write_records() const;
+
     std::string directory;
-    std::vector<std::pair<double, std::string>> records;
+    unsigned int n_written = 0;
+    std::vector<Record> records;
   };
 } // namespace Lahar
 

@@ -22,6 +22,16 @@ namespace Lahar
    */
   template <int dim>
   std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points);
+
+  /**
+   * The constrained Delaunay triangles of @p points: all @p segments, which may meet at their ends only, are edges.
+   *
+   * @param n_forced returns how many segments are no edges of the Delaunay triangulation without constraints.
+   * @throws RunError if two segments cross, with the place.
+   */
+  std::vector<Simplex<2>> constrained_delaunay(const std::vector<Point<2>> &points,
+                                               const std::vector<std::array<unsigned int, 2>> &segments,
+                                               unsigned int &n_forced);
 } // namespace Lahar
 
 #endif

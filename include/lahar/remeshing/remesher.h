@@ -17,10 +17,13 @@ namespace Lahar
   class Remesher
   {
   public:
+    using Facet = std::array<unsigned int, dim>;
+
     /// What a remeshing did.
     struct Report
     {
-      bool changed = false;      ///< the connectivity
+      bool changed          = false; ///< the connectivity
+      unsigned int n_forced = 0;     ///< facets of solids' contours that the Delaunay triangulation did not have
       std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
     };
 
@@ -28,14 +31,19 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /// The first mesh of a cloud: the simplices of @p wet particles that the plain alpha shape accepts.
-    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<bool> &wet,
+    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                     const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
                      FluidMesh<dim> &mesh) const;
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted.
+     *
+     * @param walls rigid walls and, as no-slip walls, the solids' contours.
+     * @param solid_facets the contours by particle; their particles stand first in the cloud and remain. In 2D they are
+     * edges of the triangulation (constrained Delaunay), so that no triangle crosses a contour.
      */
-    Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const double time_step,
-                  FluidMesh<dim> &mesh) const;
+    Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<Facet> &solid_facets,
+                  const double time_step, FluidMesh<dim> &mesh) const;
 
   private:
     AlphaShape<dim> alpha_shape;

@@ -2,7 +2,7 @@
 #define lahar_simulator_nonlinear_scheme_h
 
 #include <lahar/simulator/anderson_acceleration.h>
-#include <lahar/simulator/fluid_problem.h>
+#include <lahar/simulator/step_problem.h>
 
 #include <memory>
 
@@ -42,13 +42,13 @@ namespace Lahar
     static std::unique_ptr<NonlinearScheme> create(Parameters &prm);
 
     /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
-    NonlinearReport solve(FluidProblem<dim> &problem);
+    NonlinearReport solve(StepProblem<dim> &problem);
 
   protected:
-    using Linearization = typename FluidProblem<dim>::Linearization;
+    using Linearization = typename StepProblem<dim>::Linearization;
 
     /// One iteration: assemble, solve, step. Enters in the report what it took.
-    virtual void iterate(FluidProblem<dim> &problem, NonlinearReport &report) = 0;
+    virtual void iterate(StepProblem<dim> &problem, NonlinearReport &report) = 0;
 
     /// Whether both increments are within the tolerance.
     bool is_converged(const NonlinearReport &report) const
@@ -57,7 +57,7 @@ namespace Lahar
     }
 
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
-    ViscosityLinearization viscosity_linearization(const FluidProblem<dim> &problem) const;
+    ViscosityLinearization viscosity_linearization(const StepProblem<dim> &problem) const;
 
   private:
     ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
@@ -70,7 +70,7 @@ namespace Lahar
   class CoupledScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
+    void iterate(StepProblem<dim> &problem, NonlinearReport &report) override;
 
   private:
     double last_increment = 0.;   ///< velocity increment of the iteration before
@@ -82,7 +82,7 @@ namespace Lahar
   class SegregatedScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(FluidProblem<dim> &problem, NonlinearReport &report) override;
+    void iterate(StepProblem<dim> &problem, NonlinearReport &report) override;
 
   private:
     AndersonAcceleration acceleration{10};

@@ -6,6 +6,7 @@
 #include <deal.II/base/timer.h>
 
 #include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/walls.h>
 #include <lahar/geometry/initial_geometry.h>
 #include <lahar/material/fluid_law.h>
@@ -15,10 +16,11 @@
 #include <lahar/postprocess/visualization.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/remesher.h>
-#include <lahar/simulator/fluid_problem.h>
+#include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/time_integration.h>
+#include <lahar/solid/solids.h>
 
 #include <memory>
 
@@ -33,7 +35,8 @@ namespace Lahar
   class Simulator
   {
   public:
-    static void declare_parameters(Parameters &prm);
+    /// @param n_solids for how many solids there are entries.
+    static void declare_parameters(Parameters &prm, const unsigned int n_solids);
 
     /// Read all parameters. @throws InputError for anything that cannot be computed.
     Simulator(Parameters &prm, const MPI_Comm &communicator);
@@ -64,6 +67,10 @@ namespace Lahar
      */
     void step(double &time_step);
 
+    void remesh(const double time_step);
+    void move_particles(const double time_step);
+    /// The rigid walls and the solids' contours.
+    Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     std::vector<NodeConstraint<dim>> constraints() const;
     void set_initial_velocities();
     void add_statistics(const double time_step, const NonlinearReport &report);
@@ -82,20 +89,22 @@ namespace Lahar
     Remesher<dim> remesher;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
 
+    Solids<dim> solids;
     ParticleCloud<dim> particles;
     Walls<dim> walls;
     SlipCondition<dim> slip_condition;
     FluidMesh<dim> fluid_mesh;
 
     TimerOutput timer;
-    FluidProblem<dim> problem;
+    StepProblem<dim> problem;
 
     double time              = 0.;
-    unsigned int step_number = 0, n_rejected = 0;
+    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0;
     double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.;
     typename Remesher<dim>::Report remeshing; ///< the last one
 
-    std::vector<Tensor<1, dim>> wall_forces;
+    std::vector<std::string> warnings;
+    std::vector<Tensor<1, dim>> wall_forces, solid_forces;
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
     TableHandler statistics;
     std::unique_ptr<Visualization<dim>> visualization;

@@ -26,6 +26,9 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
+    /// The same rule with another γ of Newmark's.
+    TimeIntegration with_gamma(const double newmark_gamma) const;
+
     /// Begin a step of length @p time_step (s); @p is_first as said above.
     void start_step(const double time_step, const bool is_first);
 

@@ -1,5 +1,5 @@
-#ifndef lahar_simulator_fluid_problem_h
-#define lahar_simulator_fluid_problem_h
+#ifndef lahar_simulator_step_problem_h
+#define lahar_simulator_step_problem_h
 
 #include <deal.II/base/timer.h>
 
@@ -7,6 +7,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/simulator/solid_step.h>
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
@@ -14,28 +15,32 @@
 namespace Lahar
 {
   /**
-   * The nonlinear problem of one time step: state, residual, linear system and update. The nonlinear schemes drive it.
+   * The nonlinear problem of one time step: state, residual, linear system and update, of the fluid and the solids
+   * together. The nonlinear schemes drive it.
+   *
+   * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these (SolidStep).
    */
   template <int dim>
-  class FluidProblem
+  class StepProblem
   {
   public:
     using Linearization = typename FluidAssembler<dim>::Linearization;
 
-    FluidProblem(const MPI_Comm &communicator, TimerOutput &timer);
+    StepProblem(const MPI_Comm &communicator, TimerOutput &timer);
 
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
     /**
-     * Begin a step: take the state of the mesh's particles; velocities and pressures start from the old ones.
+     * Begin a step: take the state of the mesh's particles and of the solids; velocities and pressures start from the old
+     * ones, prescribed velocities have their values at @p end_time.
      * @param constraints by vertex; the particles' velocities and accelerations obey them already.
      * @param arrives by vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
      */
     void start_step(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                     const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
                     const Tensor<1, dim> &gravity, const TimeIntegration &time_integration,
-                    const std::vector<bool> &arrives);
+                    const std::vector<bool> &arrives, const Solids<dim> &solids, const double end_time);
 
     /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
     void assemble(const Linearization &linearization);
@@ -100,14 +105,17 @@ namespace Lahar
       return system.right_hand_side().block(1).l2_norm();
     }
 
-    /// Write the accepted state back to the mesh's particles.
-    void accept(ParticleCloud<dim> &cloud) const;
+    /// Write the accepted state back to the mesh's particles and to the solids.
+    void accept(ParticleCloud<dim> &cloud, Solids<dim> &solids);
 
-    /// Forces of the walls on the fluid at the vertices, N; meaningful at prescribed components.
+    /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared nodes.
     const std::vector<Tensor<1, dim>> &reactions() const
     {
       return system.momentum_residual();
     }
+
+    /// Forces on the solids at all their nodes from what holds or wets them, N.
+    std::vector<Tensor<1, dim>> solid_reactions() const;
 
     const FluidLaw &law() const
     {
@@ -115,8 +123,13 @@ namespace Lahar
     }
 
   private:
+    void reinit_system(std::vector<NodeConstraint<dim>> constraints);
     void start_increment();
     void move_state();
+    /// Velocities of all nodes.
+    std::vector<Tensor<1, dim>> node_velocities() const;
+    /// Set them, and what follows from them.
+    void set_node_velocities(const std::vector<Tensor<1, dim>> &velocities);
     std::vector<double> volumes(const std::vector<Point<dim>> &positions) const;
     /// The vertices of cells that are inverted or much smaller than given, ascending.
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
@@ -133,8 +146,10 @@ namespace Lahar
     Tensor<1, dim> gravity;
     TimeIntegration time_integration;
     FluidState<dim> state;
+    SolidStep<dim> solid;
 
     std::vector<Simplex<dim>> numbered_cells;
+    std::vector<unsigned int> numbered_solid_nodes;
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;

@@ -1,5 +1,5 @@
 #include <lahar/remeshing/simplex_geometry.h>
-#include <lahar/simulator/fluid_problem.h>
+#include <lahar/simulator/step_problem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace Lahar
 
 
   template <int dim>
-  FluidProblem<dim>::FluidProblem(const MPI_Comm &communicator, TimerOutput &timer)
+  StepProblem<dim>::StepProblem(const MPI_Comm &communicator, TimerOutput &timer)
     : timer(timer)
     , system(communicator)
   {}
@@ -26,7 +26,7 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::declare_parameters(Parameters &prm)
+  void StepProblem<dim>::declare_parameters(Parameters &prm)
   {
     FluidAssembler<dim>::declare_parameters(prm);
     LinearSolver<dim>::declare_parameters(prm);
@@ -35,7 +35,7 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::parse_parameters(Parameters &prm)
+  void StepProblem<dim>::parse_parameters(Parameters &prm)
   {
     assembler.parse_parameters(prm);
     linear_solver = LinearSolver<dim>::create(prm);
@@ -44,24 +44,20 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
+  void StepProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
                                      const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
                                      const Tensor<1, dim> &new_gravity, const TimeIntegration &integration,
-                                     const std::vector<bool> &arrives)
+                                     const std::vector<bool> &arrives, const Solids<dim> &solids,
+                                     const double end_time)
   {
     mesh             = &new_mesh;
     fluid_law        = &law;
     gravity          = new_gravity;
     time_integration = integration;
 
-    if (mesh->cells() != numbered_cells)
-    {
-      TimerOutput::Scope scope(timer, "Set up system");
-      numbered_cells = mesh->cells();
-      system.reinit(mesh->n_vertices(), numbered_cells);
-      solution = system.make_vector();
-    }
-    system.set_constraints(constraints);
+    TimeIntegration solid_integration = time_integration.with_gamma(solids.newmark_gamma());
+    solid.start(solids, *mesh, solid_integration, end_time);
+    reinit_system(constraints);
 
     const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
       of_vertices.resize(mesh->n_vertices());
@@ -76,32 +72,40 @@ namespace Lahar
     state.factors = time_integration.factors();
     state.position_factor.resize(mesh->n_vertices());
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.position_factor[v] = time_integration.position_factor(arrives[v]);
+      state.position_factor[v] =
+        time_integration.position_factor(arrives[v] && cloud.kind[mesh->particle(v)] != ParticleKind::solid);
     state.pressure     = state.old_pressure;
     state.velocity     = state.old_velocity;
     state.position     = state.old_position;
     state.acceleration = state.old_acceleration;
-    velocity_change.assign(mesh->n_vertices(), Tensor<1, dim>());
+    velocity_change.assign(system.n_nodes(), Tensor<1, dim>());
     pressure_change.assign(mesh->n_vertices(), 0.);
 
     assembler.set_stabilization(*mesh, law, state);
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
-    move_state();
+    std::vector<Tensor<1, dim>> velocities = node_velocities();
+    solid.get_velocities(velocities); // the prescribed ones
+    set_node_velocities(velocities);
     // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
-    // v = −(Δt/s − 1) v_n, nothing is.
-    std::vector<double> motion(mesh->n_vertices(), 1.);
+    // v = −(Δt/s − 1) v_n, nothing is. A solid that is driven may leave them no room.
+    constexpr unsigned int n_attempts = 4;
     const std::vector<double> old_volumes = volumes(state.old_position);
-    for (std::vector<unsigned int> shrinking = shrinking_vertices(old_volumes); !shrinking.empty();
-         shrinking                           = shrinking_vertices(old_volumes))
+    std::vector<unsigned int> n_shrunk(mesh->n_vertices(), 0);
+    for (unsigned int attempt = 0; attempt < n_attempts * n_attempts; ++attempt)
     {
+      const std::vector<unsigned int> shrinking = shrinking_vertices(old_volumes);
+      if (shrinking.empty())
+        break;
       for (const unsigned int v : shrinking)
-      {
-        motion[v]         = std::max(0., motion[v] - 0.25);
-        const double rest = state.factors.time_step / state.position_factor[v] - 1.;
-        state.velocity[v] = (motion[v] * (1. + rest) - rest) * state.old_velocity[v];
-      }
-      move_state();
+        if (constraints[v].n_fixed < dim)
+        {
+          n_shrunk[v]         = std::min(n_attempts, n_shrunk[v] + 1);
+          const double motion = 1. - static_cast<double>(n_shrunk[v]) / n_attempts;
+          const double rest   = state.factors.time_step / state.position_factor[v] - 1.;
+          velocities[v]       = (motion * (1. + rest) - rest) * state.old_velocity[v];
+        }
+      set_node_velocities(velocities);
     }
     set_norms();
   }
@@ -109,7 +113,46 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::move_state()
+  void StepProblem<dim>::reinit_system(std::vector<NodeConstraint<dim>> constraints)
+  {
+    if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
+    {
+      TimerOutput::Scope scope(timer, "Set up system");
+      numbered_cells       = mesh->cells();
+      numbered_solid_nodes = solid.nodes();
+      system.reinit(mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
+                    solid.nodes_per_cell());
+      solution = system.make_vector();
+    }
+    solid.add_constraints(constraints);
+    system.set_constraints(constraints);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> StepProblem<dim>::node_velocities() const
+  {
+    std::vector<Tensor<1, dim>> velocities(system.n_nodes());
+    solid.get_velocities(velocities);
+    std::copy(state.velocity.begin(), state.velocity.end(), velocities.begin());
+    return velocities;
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::set_node_velocities(const std::vector<Tensor<1, dim>> &velocities)
+  {
+    std::copy(velocities.begin(), velocities.begin() + mesh->n_vertices(), state.velocity.begin());
+    move_state();
+    solid.move(velocities);
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::move_state()
   {
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
@@ -124,7 +167,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<double> FluidProblem<dim>::volumes(const std::vector<Point<dim>> &positions) const
+  std::vector<double> StepProblem<dim>::volumes(const std::vector<Point<dim>> &positions) const
   {
     std::vector<double> result;
     result.reserve(mesh->n_cells());
@@ -136,7 +179,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<unsigned int> FluidProblem<dim>::shrinking_vertices(const std::vector<double> &from) const
+  std::vector<unsigned int> StepProblem<dim>::shrinking_vertices(const std::vector<double> &from) const
   {
     std::vector<unsigned int> vertices;
     const std::vector<double> to = volumes(state.position);
@@ -151,20 +194,24 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::set_norms()
+  void StepProblem<dim>::set_norms()
   {
     double v = 0., p = 0., dv = 0., dp = 0.;
+    for (const Tensor<1, dim> &velocity : node_velocities())
+      v += velocity.norm_square();
+    for (const Tensor<1, dim> &change : velocity_change)
+      dv += change.norm_square();
     for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
     {
-      v += state.velocity[i].norm_square();
       p += state.pressure[i] * state.pressure[i];
-      dv += velocity_change[i].norm_square();
       dp += pressure_change[i] * pressure_change[i];
     }
-    // At rest there is nothing to compare with but what gravity does in a step.
-    const double n_vertices = mesh->n_vertices();
-    const double v_floor = 1e-8 * gravity.norm() * state.factors.time_step * std::sqrt(n_vertices) + 1e-300;
-    const double p_floor = v_floor * fluid_law->density() * (1. + std::sqrt(v / n_vertices));
+    // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound.
+    const double n_nodes = system.n_nodes();
+    const double v_floor = (1e-8 * gravity.norm() * state.factors.time_step + 1e-8 * solid.speed_of_sound()) *
+                             std::sqrt(n_nodes) +
+                           1e-300;
+    const double p_floor = v_floor * fluid_law->density() * (1. + std::sqrt(v / n_nodes));
     velocity_norm        = std::max(std::sqrt(v), v_floor);
     pressure_norm        = std::max(std::sqrt(p), p_floor);
 
@@ -175,11 +222,13 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::assemble(const Linearization &linearization)
+  void StepProblem<dim>::assemble(const Linearization &linearization)
   {
     TimerOutput::Scope scope(timer, "Assemble");
     if (!assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system))
       throw RunError("a simplex is inverted");
+    if (!solid.assemble(gravity, system))
+      throw RunError("an element of a solid is inverted");
     if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
       throw RunError("the residual is not a finite number");
   }
@@ -187,11 +236,11 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int FluidProblem<dim>::solve()
+  unsigned int StepProblem<dim>::solve()
   {
     TimerOutput::Scope scope(timer, "Solve");
     // The size of an increment against which its error counts; before there is any flow, what it will be.
-    const double length  = std::sqrt(static_cast<double>(mesh->n_vertices()));
+    const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
     const double v_scale = std::max(velocity_norm, gravity.norm() * state.factors.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
     const unsigned int n_iterations = linear_solver->solve(system, v_scale, p_scale, solution);
@@ -202,7 +251,7 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int FluidProblem<dim>::solve_block(const unsigned int b)
+  unsigned int StepProblem<dim>::solve_block(const unsigned int b)
   {
     TimerOutput::Scope scope(timer, "Solve");
     solution                        = 0.;
@@ -214,16 +263,15 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::start_increment()
+  void StepProblem<dim>::start_increment()
   {
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
+    for (unsigned int v = 0; v < system.n_nodes(); ++v)
       velocity_change[v] = system.velocity(solution, v);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       pressure_change[v] = system.pressure(solution, v);
-    }
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
-    base_velocity = state.velocity;
+    base_velocity = node_velocities();
     base_volumes  = volumes(state.position);
     base_pressure = state.pressure;
     if (fluid_law->yield_stress() > 0.)
@@ -233,14 +281,15 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidProblem<dim>::take_step(const double length)
+  void StepProblem<dim>::take_step(const double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    std::vector<double> lengths(mesh->n_vertices(), length);
+    std::vector<double> lengths(system.n_nodes(), length);
+    std::vector<Tensor<1, dim>> velocities(system.n_nodes());
     const auto move_along = [&] {
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        state.velocity[v] = base_velocity[v] + lengths[v] * velocity_change[v];
-      move_state();
+      for (unsigned int v = 0; v < system.n_nodes(); ++v)
+        velocities[v] = base_velocity[v] + lengths[v] * velocity_change[v];
+      set_node_velocities(velocities);
     };
     move_along();
     damped = false;
@@ -265,26 +314,25 @@ namespace Lahar
 
 
   template <int dim>
-  Vector<double> FluidProblem<dim>::unknowns() const
+  Vector<double> StepProblem<dim>::unknowns() const
   {
-    const unsigned int n = mesh->n_vertices();
-    Vector<double> values((dim + 1) * n);
+    const unsigned int n = system.n_nodes();
+    Vector<double> values(dim * n + mesh->n_vertices());
+    const std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (unsigned int v = 0; v < n; ++v)
-    {
       for (unsigned int d = 0; d < dim; ++d)
-        values[dim * v + d] = state.velocity[v][d];
-      values[dim * n + v] = state.pressure[v];
-    }
+        values[dim * v + d] = velocities[v][d];
+    std::copy(state.pressure.begin(), state.pressure.end(), values.begin() + dim * n);
     return values;
   }
 
 
 
   template <int dim>
-  Vector<double> FluidProblem<dim>::unknown_weights() const
+  Vector<double> StepProblem<dim>::unknown_weights() const
   {
-    const unsigned int n = mesh->n_vertices();
-    Vector<double> weights((dim + 1) * n);
+    const unsigned int n = system.n_nodes();
+    Vector<double> weights(dim * n + mesh->n_vertices());
     for (unsigned int i = 0; i < weights.size(); ++i)
       weights[i] = 1. / (i < dim * n ? velocity_norm : pressure_norm);
     return weights;
@@ -293,23 +341,20 @@ namespace Lahar
 
 
   template <int dim>
-  bool FluidProblem<dim>::set_unknowns(const Vector<double> &values)
+  bool StepProblem<dim>::set_unknowns(const Vector<double> &values)
   {
-    const unsigned int n    = mesh->n_vertices();
-    const auto old_velocity = state.velocity;
+    const unsigned int n     = system.n_nodes();
+    const auto old_velocities = node_velocities();
+    std::vector<Tensor<1, dim>> velocities(n);
     for (unsigned int v = 0; v < n; ++v)
       for (unsigned int d = 0; d < dim; ++d)
-        state.velocity[v][d] = values[dim * v + d];
-    move_state();
+        velocities[v][d] = values[dim * v + d];
+    set_node_velocities(velocities);
     const bool inverted = !shrinking_vertices(base_volumes).empty();
     if (inverted)
-    {
-      state.velocity = old_velocity;
-      move_state();
-    }
+      set_node_velocities(old_velocities);
     else
-      for (unsigned int v = 0; v < n; ++v)
-        state.pressure[v] = values[dim * n + v];
+      std::copy(values.begin() + dim * n, values.end(), state.pressure.begin());
     set_norms();
     return !inverted;
   }
@@ -317,28 +362,43 @@ namespace Lahar
 
 
   template <int dim>
-  Point<dim> FluidProblem<dim>::place_of_largest_increment() const
+  Point<dim> StepProblem<dim>::place_of_largest_increment() const
   {
     unsigned int place = 0;
     double largest     = -1.;
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    std::vector<Point<dim>> positions(system.n_nodes());
+    solid.get_positions(positions);
+    std::copy(state.position.begin(), state.position.end(), positions.begin());
+    for (unsigned int v = 0; v < system.n_nodes(); ++v)
     {
       const double increment = velocity_change[v].norm() / velocity_norm +
-                               std::abs(pressure_change[v]) / pressure_norm;
+                               (v < mesh->n_vertices() ? std::abs(pressure_change[v]) / pressure_norm : 0.);
       if (increment > largest)
       {
         largest = increment;
         place   = v;
       }
     }
-    return state.position[place];
+    return positions[place];
   }
 
 
 
   template <int dim>
-  void FluidProblem<dim>::accept(ParticleCloud<dim> &cloud) const
+  std::vector<Tensor<1, dim>> StepProblem<dim>::solid_reactions() const
   {
+    std::vector<Tensor<1, dim>> reactions;
+    for (const unsigned int node : solid.nodes())
+      reactions.push_back(system.solid_residual()[node]);
+    return reactions;
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
+  {
+    solid.accept(solids);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
       const unsigned int i   = mesh->particle(v);
@@ -352,6 +412,6 @@ namespace Lahar
 
 
 
-  template class FluidProblem<2>;
-  template class FluidProblem<3>;
+  template class StepProblem<2>;
+  template class StepProblem<3>;
 } // namespace Lahar

@@ -1,0 +1,56 @@
+#ifndef lahar_boundary_solid_contour_h
+#define lahar_boundary_solid_contour_h
+
+#include <lahar/boundary/walls.h>
+#include <lahar/particles/particle_cloud.h>
+
+namespace Lahar
+{
+  /**
+   * The contours of the solids at one time, as facets between their particles.
+   *
+   * @p facets are particle indices, as they stand in SolidMesh::contour(): normals point out of the solid.
+   */
+  template <int dim>
+  class SolidContour
+  {
+  public:
+    using Facet = std::array<unsigned int, dim>;
+
+    SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud);
+
+    /// The facets as particle indices.
+    const std::vector<Facet> &facets() const
+    {
+      return particles;
+    }
+
+    /// The facets as no-slip walls.
+    const std::vector<WallFacet<dim>> &wall_facets() const
+    {
+      return shapes.facets();
+    }
+
+    /// Whether @p point lies in a solid: the contour's winding number around it is not zero.
+    bool is_inside(const Point<dim> &point) const;
+
+    /**
+     * Keep the fluid particles out of the solids. @p cloud has them after a step in which all particles, the contour's
+     * too, came from @p old_position. A particle that has passed through a facet (in the facet's frame, both paths taken as
+     * straight) or lies inside is put a tenth of its spacing in front of the contour and takes its velocity.
+     * @return how many there were.
+     */
+    unsigned int keep_out(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const;
+
+  private:
+    /// Put the particle in front of facet @p f, at the point of the facet nearest to it.
+    void put_before(const unsigned int f, const unsigned int particle, ParticleCloud<dim> &cloud) const;
+    unsigned int nearest_facet(const Point<dim> &point) const;
+
+    std::vector<Facet> particles;
+    Walls<dim> shapes;
+    BoundingBox<dim> box;
+  };
+} // namespace Lahar
+
+#endif

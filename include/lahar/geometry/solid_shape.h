@@ -1,0 +1,47 @@
+#ifndef lahar_geometry_solid_shape_h
+#define lahar_geometry_solid_shape_h
+
+#include <deal.II/base/point.h>
+
+#include <deal.II/grid/tria_description.h>
+
+#include <lahar/utilities/parameters.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * The undeformed shape of one solid and its simplices: a box, or a physical group of a gmsh file (2D).
+   *
+   * A box of n_x × n_y (× n_z) rectangles has two triangles in each, whose diagonals alternate (five tetrahedra in 3D).
+   */
+  template <int dim>
+  class SolidShape
+  {
+  public:
+    static void declare_parameters(Parameters &prm);
+
+    /// @throws InputError for a shape without volume, an unknown file or group, bad elements in the file.
+    void parse_parameters(Parameters &prm);
+
+    /**
+     * Append vertices and positively oriented cells, with the material id @p body.
+     * @param size edge length (m) where the parameters do not give the number of elements.
+     */
+    void append(const double size, const unsigned int body, std::vector<Point<dim>> &vertices,
+                std::vector<CellData<dim>> &cells) const;
+
+  private:
+    void parse_mesh_file(Parameters &prm);
+
+    Point<dim> lower, upper;
+    std::array<unsigned int, dim> n_elements = {}; ///< of a box; 0: from the size
+    std::vector<Point<dim>> file_vertices;         ///< empty for a box
+    std::vector<CellData<dim>> file_cells;
+  };
+} // namespace Lahar
+
+#endif

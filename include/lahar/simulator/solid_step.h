@@ -1,0 +1,78 @@
+#ifndef lahar_simulator_solid_step_h
+#define lahar_simulator_solid_step_h
+
+#include <lahar/assembly/solid_assembler.h>
+#include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/simulator/time_integration.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * The solids during one time step: their state at its end, and their place in the system of unknowns.
+   *
+   * The velocity of a contour node that is a vertex of the fluid's mesh is that vertex's: one unknown for both. All other
+   * nodes follow the fluid's vertices in the system.
+   */
+  template <int dim>
+  class SolidStep
+  {
+  public:
+    /// Begin a step of @p solids that ends at @p end_time, with the velocities of its start or the prescribed ones.
+    void start(const Solids<dim> &solids, const FluidMesh<dim> &mesh, const TimeIntegration &integration,
+               const double end_time);
+
+    /// Nodes that are no vertex of the fluid's mesh.
+    unsigned int n_own_nodes() const
+    {
+      return n_own;
+    }
+
+    /// The system's number of each node.
+    const std::vector<unsigned int> &nodes() const
+    {
+      return system_nodes;
+    }
+
+    /// The cells by the system's numbers, as BlockSystem wants them.
+    std::vector<unsigned int> cells() const;
+
+    unsigned int nodes_per_cell() const
+    {
+      return system_nodes.empty() ? 0 : solids->mesh().nodes_per_cell();
+    }
+
+    /// Set the constraints of all nodes; the fluid's are there already.
+    void add_constraints(std::vector<NodeConstraint<dim>> &constraints) const;
+
+    /// Set velocities from those of all the system's nodes, and what follows from them.
+    void move(const std::vector<Tensor<1, dim>> &velocities);
+
+    /// Write the velocities into those of all the system's nodes.
+    void get_velocities(std::vector<Tensor<1, dim>> &velocities) const;
+
+    /// The same for the positions.
+    void get_positions(std::vector<Point<dim>> &positions) const;
+
+    /// Add to the system. @return whether all cells have positive volume.
+    bool assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const;
+
+    /// The largest speed of sound, m/s; zero without solids.
+    double speed_of_sound() const;
+
+    /// Make the state the solids' own.
+    void accept(Solids<dim> &target);
+
+  private:
+    const Solids<dim> *solids = nullptr;
+    SolidAssembler<dim> assembler;
+    TimeIntegration integration;
+    std::vector<unsigned int> system_nodes;
+    unsigned int n_own = 0;
+    std::vector<Tensor<1, dim>> external_forces;
+    SolidState<dim> state;
+  };
+} // namespace Lahar
+
+#endif

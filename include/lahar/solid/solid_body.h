@@ -1,0 +1,52 @@
+#ifndef lahar_solid_solid_body_h
+#define lahar_solid_solid_body_h
+
+#include <deal.II/base/function_parser.h>
+
+#include <lahar/geometry/box.h>
+#include <lahar/geometry/solid_shape.h>
+#include <lahar/material/solid_law.h>
+
+#include <memory>
+
+namespace Lahar
+{
+  /**
+   * One solid: shape, law, initial velocity and what holds, drives and loads its contour.
+   *
+   * Parts of the contour are named by boxes in the undeformed configuration: the nodes (for loads: the faces whose middle)
+   * inside count.
+   */
+  template <int dim>
+  class SolidBody
+  {
+  public:
+    /// What is prescribed for a part of the contour: a velocity or a traction as a function of X and time.
+    struct Prescribed
+    {
+      std::vector<Box<dim>> where;
+      std::shared_ptr<FunctionParser<dim>> function;
+      std::string path; ///< of the entry with the boxes
+
+      bool contains(const Point<dim> &point, const double tolerance) const;
+
+      /// At @p point and @p time.
+      Tensor<1, dim> value(const Point<dim> &point, const double time) const;
+    };
+
+    static void declare_parameters(Parameters &prm);
+
+    /// Read the handler's current section. @throws InputError
+    void parse_parameters(Parameters &prm, const std::string &name);
+
+    std::string name;
+    SolidShape<dim> shape;
+    std::unique_ptr<SolidLaw> law;
+    Prescribed clamped; ///< without a function
+    Prescribed driven;  ///< velocity, m/s
+    Prescribed loaded;  ///< force per undeformed area, Pa
+    std::shared_ptr<FunctionParser<dim>> initial_velocity; ///< m/s
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,24 @@
+#ifndef lahar_solid_solid_state_h
+#define lahar_solid_solid_state_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /// The solids at one time: by node of the SolidMesh, and by its quadrature points (cell by cell).
+  template <int dim>
+  struct SolidState
+  {
+    std::vector<Point<dim>> position;         ///< m
+    std::vector<Tensor<1, dim>> velocity;     ///< m/s
+    std::vector<Tensor<1, dim>> acceleration; ///< m/s²
+    std::vector<SymmetricTensor<2, 3>> stress; ///< Cauchy stress, Pa
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,108 @@
+#ifndef lahar_solid_solids_h
+#define lahar_solid_solids_h
+
+#include <lahar/particles/particle_cloud.h>
+#include <lahar/solid/solid_body.h>
+#include <lahar/solid/solid_mesh.h>
+#include <lahar/solid/solid_state.h>
+
+#include <string>
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * All solids of a case: their bodies, the mesh that they share, and their state.
+   *
+   * Node i of the contour is particle i of the cloud: the solids' particles come first in it and are never removed.
+   */
+  template <int dim>
+  class Solids
+  {
+  public:
+    /// The largest number of solids in a case.
+    static constexpr unsigned int maximum = 100;
+
+    /// Declare subsection "Solids" with the given number of bodies.
+    static void declare_parameters(Parameters &prm, const unsigned int n_bodies);
+
+    /// @throws InputError
+    void parse_parameters(Parameters &prm);
+
+    /**
+     * Make mesh and state. @param h the fluid's mesh size, m.
+     * @throws InputError if a part of the contour that is named holds nothing.
+     * @return warnings for the user.
+     */
+    std::vector<std::string> create(const double h);
+
+    /// Append the contour's particles to an empty cloud.
+    void append_particles(const double h, ParticleCloud<dim> &cloud) const;
+
+    bool empty() const
+    {
+      return bodies.empty();
+    }
+
+    const SolidMesh<dim> &mesh() const
+    {
+      return *solid_mesh;
+    }
+
+    const std::vector<SolidBody<dim>> &all_bodies() const
+    {
+      return bodies;
+    }
+
+    const SolidLaw &law(const unsigned int body) const
+    {
+      return *bodies[body].law;
+    }
+
+    const SolidState<dim> &state() const
+    {
+      return present;
+    }
+
+    /// Whether the velocity of a node is prescribed.
+    bool is_fixed(const unsigned int node) const
+    {
+      return clamped[node] || driven[node];
+    }
+
+    /// The prescribed velocity of a node at @p time.
+    Tensor<1, dim> prescribed_velocity(const unsigned int node, const double time) const;
+
+    /// The loads' force on each node at @p time, N (N/m in 2D): ∫ N_I T over the undeformed contour. Empty without loads.
+    std::vector<Tensor<1, dim>> external_forces(const double time) const;
+
+    /// Take a new state.
+    void accept(const SolidState<dim> &state)
+    {
+      present = state;
+    }
+
+    /// Give the particles of the contour position and velocity of their nodes. Where @p in_mesh (by particle) says that no
+    /// fluid touches them, they have no pressure and the solid's acceleration.
+    void move_particles(const std::vector<bool> &in_mesh, ParticleCloud<dim> &cloud) const;
+
+    /// Newmark's γ of the solids.
+    double newmark_gamma() const
+    {
+      return gamma;
+    }
+
+  private:
+    std::vector<SolidBody<dim>> bodies;
+    unsigned int degree = 2;
+    double gamma        = 0.5;
+
+    std::unique_ptr<SolidMesh<dim>> solid_mesh;
+    SolidState<dim> present;
+    std::vector<bool> clamped, driven;
+    double tolerance = 0.; ///< for places, m
+    bool any_loads   = false;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,220 @@
+#include <lahar/boundary/solid_contour.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// Distance from the contour at which particles are put, over their spacing.
+    constexpr double clearance = 0.1;
+
+    template <int dim>
+    std::vector<WallFacet<dim>> shapes_of(const std::vector<std::array<unsigned int, dim>> &facets,
+                                          const std::vector<Point<dim>> &position)
+    {
+      std::vector<WallFacet<dim>> shapes;
+      for (const auto &facet : facets)
+      {
+        WallFacet<dim> shape;
+        for (unsigned int v = 0; v < dim; ++v)
+          shape.corners[v] = position[facet[v]];
+        shapes.push_back(shape);
+      }
+      return shapes;
+    }
+
+    /// The angle (solid angle in 3D) of a facet seen from @p point, over the full one.
+    double angle_share(const std::array<Point<2>, 2> &corners, const Point<2> &point)
+    {
+      const Tensor<1, 2> a = corners[0] - point, b = corners[1] - point;
+      return std::atan2(a[0] * b[1] - a[1] * b[0], a * b) / (2. * numbers::PI);
+    }
+
+    /// Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125–126.
+    double angle_share(const std::array<Point<3>, 3> &corners, const Point<3> &point)
+    {
+      const Tensor<1, 3> a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
+      const double a_b_c       = a * cross_product_3d(b, c);
+      const double denominator = a.norm() * b.norm() * c.norm() + (a * b) * c.norm() + (a * c) * b.norm() +
+                                 (b * c) * a.norm();
+      return std::atan2(a_b_c, denominator) / (2. * numbers::PI);
+    }
+
+    /// The point of a facet nearest to @p point, by shares of its corners.
+    std::array<double, 2> nearest_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point)
+    {
+      const Tensor<1, 2> edge = corners[1] - corners[0];
+      const double share      = std::min(1., std::max(0., edge * (point - corners[0]) / edge.norm_square()));
+      return {{1. - share, share}};
+    }
+
+    std::array<double, 3> nearest_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point)
+    {
+      const Tensor<1, 3> normal = cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+      std::array<double, 3> shares;
+      bool inside = true;
+      for (unsigned int v = 0; v < 3; ++v)
+      {
+        const Point<3> &b = corners[(v + 1) % 3], &c = corners[(v + 2) % 3];
+        shares[v] = normal * cross_product_3d(c - b, point - b) / normal.norm_square();
+        inside    = inside && shares[v] >= 0.;
+      }
+      if (inside)
+        return shares;
+      double nearest = std::numeric_limits<double>::max();
+      for (unsigned int v = 0; v < 3; ++v)
+      {
+        const Point<3> &a = corners[v], &b = corners[(v + 1) % 3];
+        const double along  = std::min(1., std::max(0., (b - a) * (point - a) / (b - a).norm_square()));
+        const double square = (a + along * (b - a)).distance_square(point);
+        if (square < nearest)
+        {
+          nearest             = square;
+          shares              = {};
+          shares[v]           = 1. - along;
+          shares[(v + 1) % 3] = along;
+        }
+      }
+      return shares;
+    }
+
+    template <typename Values, std::size_t n>
+    auto mean(const Values &values, const std::array<unsigned int, n> &facet, const std::array<double, n> &shares)
+    {
+      auto sum = shares[0] * values[facet[0]];
+      for (unsigned int v = 1; v < n; ++v)
+        sum += shares[v] * values[facet[v]];
+      return sum;
+    }
+
+    template <int dim>
+    Point<dim> point_of(const std::array<Point<dim>, dim> &corners, const std::array<double, dim> &shares)
+    {
+      Point<dim> result;
+      for (unsigned int v = 0; v < dim; ++v)
+        result += shares[v] * Tensor<1, dim>(corners[v]);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SolidContour<dim>::SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud)
+    : particles(facets)
+    , shapes(shapes_of<dim>(facets, cloud.position))
+  {
+    std::vector<Point<dim>> points;
+    for (const Facet &facet : particles)
+      for (const unsigned int particle : facet)
+        points.push_back(cloud.position[particle]);
+    if (!points.empty())
+      box = BoundingBox<dim>(points);
+  }
+
+
+
+  template <int dim>
+  bool SolidContour<dim>::is_inside(const Point<dim> &point) const
+  {
+    if (particles.empty() || !box.point_inside(point))
+      return false;
+    double winding_number = 0.;
+    for (const WallFacet<dim> &facet : shapes.facets())
+      winding_number += angle_share(facet.corners, point);
+    return winding_number > 0.5;
+  }
+
+
+
+  template <int dim>
+  unsigned int SolidContour<dim>::nearest_facet(const Point<dim> &point) const
+  {
+    unsigned int nearest   = 0;
+    double smallest_square = std::numeric_limits<double>::max();
+    for (unsigned int f = 0; f < particles.size(); ++f)
+    {
+      const auto &corners = shapes.facets()[f].corners;
+      const double square = point_of<dim>(corners, nearest_shares(corners, point)).distance_square(point);
+      if (square < smallest_square)
+      {
+        smallest_square = square;
+        nearest         = f;
+      }
+    }
+    return nearest;
+  }
+
+
+
+  template <int dim>
+  void SolidContour<dim>::put_before(const unsigned int f, const unsigned int particle,
+                                     ParticleCloud<dim> &cloud) const
+  {
+    const auto &corners          = shapes.facets()[f].corners;
+    const auto shares            = nearest_shares(corners, cloud.position[particle]);
+    cloud.position[particle]     = point_of<dim>(corners, shares) + clearance * cloud.spacing[particle] * shapes.normal(f);
+    cloud.velocity[particle]     = mean(cloud.velocity, particles[f], shares);
+    cloud.acceleration[particle] = Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
+  unsigned int SolidContour<dim>::keep_out(const std::vector<Point<dim>> &old_position,
+                                           ParticleCloud<dim> &cloud) const
+  {
+    unsigned int n_put = 0;
+    if (particles.empty())
+      return n_put;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
+      if (cloud.kind[i] != ParticleKind::fluid)
+        continue;
+      const double reach = (cloud.position[i] - old_position[i]).norm() + cloud.spacing[i];
+      bool near          = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        near = near && cloud.position[i][d] > box.get_boundary_points().first[d] - reach &&
+               cloud.position[i][d] < box.get_boundary_points().second[d] + reach;
+      if (!near)
+        continue;
+
+      bool put = false;
+      for (const unsigned int f : shapes.near(cloud.position[i], reach))
+      {
+        const Walls<dim> old_facet(shapes_of<dim>({particles[f]}, old_position));
+        const double before = old_facet.signed_distance(0, old_position[i]);
+        const double after  = shapes.signed_distance(f, cloud.position[i]);
+        if (before < 0. || after >= 0.)
+          continue;
+        // Where the particle meets the facet, in the facet's coordinates at the end of the step.
+        const double time        = before / (before - after);
+        const Point<dim> meeting = old_position[i] + time * (cloud.position[i] - old_position[i]);
+        WallFacet<dim> facet;
+        for (unsigned int v = 0; v < dim; ++v)
+          facet.corners[v] = old_position[particles[f][v]] +
+                             time * (cloud.position[particles[f][v]] - old_position[particles[f][v]]);
+        if (Walls<dim>({facet}).is_above(0, meeting, 1e-6 * cloud.spacing[i]))
+        {
+          put_before(f, i, cloud);
+          put = true;
+          break;
+        }
+      }
+      if (!put && is_inside(cloud.position[i]))
+      {
+        put_before(nearest_facet(cloud.position[i]), i, cloud);
+        put = true;
+      }
+      n_put += put;
+    }
+    return n_put;
+  }
+
+
+
+  template class SolidContour<2>;
+  template class SolidContour<3>;
+} // namespace Lahar

@@ -1,0 +1,51 @@
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/utilities/factory.h>
+
+namespace Lahar
+{
+  /**
+   * For each solid the force of the fluid on it, and the force of what clamps or drives it, N (N/m in 2D): the sums of
+   * the residuals of the discrete momentum equations at its nodes.
+   */
+  template <int dim>
+  class SolidForces : public Postprocessor<dim>
+  {
+  public:
+    static void declare_parameters(Parameters &) {}
+
+    void parse_parameters(Parameters &) override {}
+
+    void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
+  };
+
+
+
+  template <int dim>
+  void SolidForces<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
+  {
+    const Solids<dim> &solids = snapshot.solids;
+    if (solids.empty())
+      return;
+    const SolidMesh<dim> &mesh = solids.mesh();
+    const unsigned int n       = solids.all_bodies().size();
+    // What acts on a prescribed node is the fluid's force and the support's.
+    std::vector<Tensor<1, dim>> by_fluid(n), by_support(n);
+    for (unsigned int v = 0; v < snapshot.wall_forces.size(); ++v)
+      if (snapshot.mesh.particle(v) < mesh.n_contour_nodes())
+        by_fluid[mesh.body_of_node(snapshot.mesh.particle(v))] -= snapshot.wall_forces[v];
+    for (unsigned int i = 0; i < snapshot.solid_forces.size(); ++i)
+      by_support[mesh.body_of_node(i)] += snapshot.solid_forces[i];
+    for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const std::string name = solids.all_bodies()[b].name;
+        add_to_column(statistics, name + " fluid force " + "xyz"[d] + " (N)", by_fluid[b][d]);
+        add_to_column(statistics, name + " support force " + "xyz"[d] + " (N)", by_support[b][d] - by_fluid[b][d]);
+      }
+  }
+
+
+
+  static const Factory<Postprocessor<2>>::Registration<SolidForces<2>> forces_2d("Solid forces");
+  static const Factory<Postprocessor<3>>::Registration<SolidForces<3>> forces_3d("Solid forces");
+} // namespace Lahar

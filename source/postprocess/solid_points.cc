@@ -1,0 +1,115 @@
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/utilities/factory.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace Lahar
+{
+  /**
+   * Displacement of material points of the solids, m.
+   */
+  template <int dim>
+  class SolidPoints : public Postprocessor<dim>
+  {
+  public:
+    static void declare_parameters(Parameters &prm)
+    {
+      prm.declare_entry("Points", "", Patterns::Anything(),
+                        "Points of the undeformed solids in m, 'name: x, y' separated by ';'. Columns "
+                        "'<name> x (m)', '<name> y (m)' ...: their displacements.");
+    }
+
+    void parse_parameters(Parameters &prm) override;
+    void initialize(const Solids<dim> &solids) override;
+    void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
+
+  private:
+    struct MaterialPoint
+    {
+      std::string name;
+      Point<dim> reference;
+      std::vector<unsigned int> nodes;
+      std::vector<double> shares;
+    };
+
+    std::string path;
+    std::vector<MaterialPoint> points;
+  };
+
+
+
+  template <int dim>
+  void SolidPoints<dim>::parse_parameters(Parameters &prm)
+  {
+    path                      = prm.path("Points");
+    const std::string allowed = "'name: " + std::string(dim == 2 ? "x, y" : "x, y, z") + "' separated by ';'";
+    for (const std::string &text : split_list(prm.get("Points"), ';'))
+    {
+      const auto parts   = split_list(text, ':');
+      const auto numbers = parts.size() == 2 ? split_list(parts[1], ',') : parts;
+      if (parts.size() != 2 || parts[0].empty() || numbers.size() != dim)
+        prm.throw_wrong_value("Points", allowed);
+      MaterialPoint point;
+      point.name = parts[0];
+      for (unsigned int d = 0; d < dim; ++d)
+        try
+        {
+          point.reference[d] = to_number(numbers[d]);
+        }
+        catch (const std::invalid_argument &)
+        {
+          prm.throw_wrong_value("Points", allowed);
+        }
+      points.push_back(point);
+    }
+  }
+
+
+
+  template <int dim>
+  void SolidPoints<dim>::initialize(const Solids<dim> &solids)
+  {
+    const double tolerance = 1e-8;
+    for (MaterialPoint &point : points)
+    {
+      if (!solids.empty())
+        for (const auto &cell : solids.mesh().dof_handler().active_cell_iterators())
+        {
+          const Point<dim> unit = solids.mesh().mapping().transform_real_to_unit_cell(cell, point.reference);
+          if (!cell->reference_cell().contains_point(unit, tolerance))
+            continue;
+          const auto &fe            = solids.mesh().dof_handler().get_fe();
+          const unsigned int *nodes = solids.mesh().cell_nodes(cell->active_cell_index());
+          point.nodes.assign(nodes, nodes + fe.dofs_per_cell);
+          for (unsigned int I = 0; I < fe.dofs_per_cell; ++I)
+            point.shares.push_back(fe.shape_value(I, unit));
+          break;
+        }
+      if (point.nodes.empty())
+        throw InputError("Parameter '" + path + "': the point '" + point.name +
+                         "' lies in no solid. Allowed: points of the undeformed solids.");
+    }
+  }
+
+
+
+  template <int dim>
+  void SolidPoints<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
+  {
+    for (const MaterialPoint &point : points)
+    {
+      Tensor<1, dim> displacement;
+      for (unsigned int I = 0; I < point.nodes.size(); ++I)
+        displacement += point.shares[I] * (snapshot.solids.state().position[point.nodes[I]] -
+                                           snapshot.solids.mesh().reference_position(point.nodes[I]));
+      for (unsigned int d = 0; d < dim; ++d)
+        add_to_column(statistics, point.name + " " + "xyz"[d] + " (m)", displacement[d]);
+    }
+  }
+
+
+
+  static const Factory<Postprocessor<2>>::Registration<SolidPoints<2>> points_2d("Solid points");
+  static const Factory<Postprocessor<3>>::Registration<SolidPoints<3>> points_3d("Solid points");
+} // namespace Lahar

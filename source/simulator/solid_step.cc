@@ -1,0 +1,132 @@
+#include <lahar/simulator/solid_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Lahar
+{
+  template <int dim>
+  void SolidStep<dim>::start(const Solids<dim> &new_solids, const FluidMesh<dim> &mesh,
+                             const TimeIntegration &new_integration, const double end_time)
+  {
+    solids = &new_solids;
+    system_nodes.clear();
+    n_own = 0;
+    if (solids->empty())
+      return;
+    integration     = new_integration;
+    external_forces = solids->external_forces(end_time);
+
+    // The solids' particles come first in the cloud, and so among the vertices.
+    const SolidMesh<dim> &solid_mesh = solids->mesh();
+    system_nodes.assign(solid_mesh.n_nodes(), numbers::invalid_unsigned_int);
+    for (unsigned int v = 0; v < mesh.n_vertices() && mesh.particle(v) < solid_mesh.n_contour_nodes(); ++v)
+      system_nodes[mesh.particle(v)] = v;
+    for (unsigned int &node : system_nodes)
+      if (node == numbers::invalid_unsigned_int)
+        node = mesh.n_vertices() + n_own++;
+
+    state = solids->state();
+    for (unsigned int i = 0; i < solid_mesh.n_nodes(); ++i)
+      if (solids->is_fixed(i))
+        state.velocity[i] = solids->prescribed_velocity(i, end_time);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> SolidStep<dim>::cells() const
+  {
+    std::vector<unsigned int> result;
+    if (!system_nodes.empty())
+      for (const unsigned int node : solids->mesh().cell_nodes())
+        result.push_back(system_nodes[node]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void SolidStep<dim>::add_constraints(std::vector<NodeConstraint<dim>> &constraints) const
+  {
+    constraints.resize(constraints.size() + n_own);
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+    {
+      constraints[system_nodes[i]]         = NodeConstraint<dim>();
+      constraints[system_nodes[i]].n_fixed = solids->is_fixed(i) ? dim : 0;
+    }
+  }
+
+
+
+  template <int dim>
+  void SolidStep<dim>::move(const std::vector<Tensor<1, dim>> &velocities)
+  {
+    const SolidState<dim> &old = solids->state();
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+    {
+      state.velocity[i]     = velocities[system_nodes[i]];
+      state.acceleration[i] = integration.acceleration(state.velocity[i], old.velocity[i], old.acceleration[i]);
+      state.position[i]     = old.position[i] + integration.displacement(state.velocity[i], old.velocity[i],
+                                                                     integration.position_factor(false));
+    }
+  }
+
+
+
+  template <int dim>
+  void SolidStep<dim>::get_velocities(std::vector<Tensor<1, dim>> &velocities) const
+  {
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+      velocities[system_nodes[i]] = state.velocity[i];
+  }
+
+
+
+  template <int dim>
+  void SolidStep<dim>::get_positions(std::vector<Point<dim>> &positions) const
+  {
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+      positions[system_nodes[i]] = state.position[i];
+  }
+
+
+
+  template <int dim>
+  bool SolidStep<dim>::assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const
+  {
+    return system_nodes.empty() ||
+           assembler.assemble(*solids, state,
+                              {integration.position_factor(false), integration.factors().acceleration_factor},
+                              gravity, external_forces, system_nodes, system);
+  }
+
+
+
+  template <int dim>
+  double SolidStep<dim>::speed_of_sound() const
+  {
+    double speed = 0.;
+    if (!system_nodes.empty())
+      for (const SolidBody<dim> &body : solids->all_bodies())
+        speed = std::max(speed, std::sqrt((body.law->bulk_modulus() + 4. / 3. * body.law->shear_modulus()) /
+                                          body.law->density()));
+    return speed;
+  }
+
+
+
+  template <int dim>
+  void SolidStep<dim>::accept(Solids<dim> &target)
+  {
+    if (system_nodes.empty())
+      return;
+    assembler.update_stress(target, state);
+    target.accept(state);
+  }
+
+
+
+  template class SolidStep<2>;
+  template class SolidStep<3>;
+} // namespace Lahar

@@ -1,0 +1,93 @@
+#include <lahar/solid/solid_body.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  template <int dim>
+  bool SolidBody<dim>::Prescribed::contains(const Point<dim> &point, const double tolerance) const
+  {
+    return std::any_of(where.begin(), where.end(),
+                       [&](const Box<dim> &box) { return box.contains(point, tolerance); });
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim> SolidBody<dim>::Prescribed::value(const Point<dim> &point, const double time) const
+  {
+    Tensor<1, dim> result;
+    function->set_time(time);
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = function->value(point, d);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void SolidBody<dim>::declare_parameters(Parameters &prm)
+  {
+    const std::string zero = dim == 2 ? "0; 0" : "0; 0; 0", boxes = ", by boxes in the undeformed configuration: ",
+                      corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
+                      by      = boxes + corners + " separated by ';'";
+    SolidShape<dim>::declare_parameters(prm);
+    prm.declare_entry("Clamped", "", Patterns::Anything(), "Part of the contour that does not move" + by + ".");
+    prm.declare_entry("Driven", "", Patterns::Anything(), "Part of the contour with a given motion" + by + ".");
+    prm.declare_entry("Driving velocity", zero, Patterns::Anything(),
+                      "Velocity of the driven part in m/s: functions of the undeformed coordinates and of the "
+                      "time t, one per component, separated by ';'.");
+    prm.declare_entry("Loaded", "", Patterns::Anything(), "Part of the contour with a given load" + by + ".");
+    prm.declare_entry("Traction", zero, Patterns::Anything(),
+                      "Force per undeformed area on the loaded part in Pa, functions as in 'Driving velocity'. "
+                      "It keeps its direction when the solid turns.");
+    prm.declare_entry("Initial velocity", zero, Patterns::Anything(),
+                      "Initial velocity in m/s, functions of the coordinates, one per component, separated by ';'.");
+    SolidLaw::declare_parameters(prm);
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    std::shared_ptr<FunctionParser<dim>> parse_function(const Parameters &prm, const std::string &entry)
+    {
+      auto function = std::make_shared<FunctionParser<dim>>(dim);
+      try
+      {
+        const std::vector<std::string> components = split_list(prm.get(entry), ';');
+        AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
+        function->initialize(dim == 2 ? "x,y,t" : "x,y,z,t", components, {{"pi", numbers::PI}}, true);
+        for (unsigned int d = 0; d < dim; ++d)
+          function->value(Point<dim>(), d);
+      }
+      catch (const std::exception &)
+      {
+        prm.throw_wrong_value(entry, std::to_string(dim) +
+                                       " functions of the coordinates and of t separated by ';'");
+      }
+      return function;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void SolidBody<dim>::parse_parameters(Parameters &prm, const std::string &new_name)
+  {
+    name = new_name;
+    shape.parse_parameters(prm);
+    clamped          = {parse_boxes<dim>(prm, "Clamped"), nullptr, prm.path("Clamped")};
+    driven           = {parse_boxes<dim>(prm, "Driven"), parse_function<dim>(prm, "Driving velocity"),
+              prm.path("Driven")};
+    loaded           = {parse_boxes<dim>(prm, "Loaded"), parse_function<dim>(prm, "Traction"), prm.path("Loaded")};
+    initial_velocity = parse_function<dim>(prm, "Initial velocity");
+    law              = SolidLaw::create(prm);
+  }
+
+
+
+  template class SolidBody<2>;
+  template class SolidBody<3>;
+} // namespace Lahar

@@ -1,0 +1,218 @@
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <lahar/solid/solids.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Lahar
+{
+  namespace
+  {
+    std::string body_name(const unsigned int body)
+    {
+      return "Solid " + std::to_string(body + 1);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void Solids<dim>::declare_parameters(Parameters &prm, const unsigned int n_bodies)
+  {
+    prm.enter_subsection("Solids");
+    prm.declare_entry("Number of solids", "0", Patterns::Anything(),
+                      "Number of elastic solids, 0 to " + std::to_string(maximum) +
+                        "; each has a subsection 'Solid 1', 'Solid 2' ...");
+    prm.declare_entry("Degree", "2", Patterns::Anything(),
+                      "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
+    prm.declare_entry("Newmark gamma", "0.5", Patterns::Anything(),
+                      "Newmark's γ for the solids, 0.5 to 1. 0.5 keeps the energy; larger values damp vibrations.");
+    for (unsigned int body = 0; body < n_bodies; ++body)
+    {
+      prm.enter_subsection(body_name(body));
+      SolidBody<dim>::declare_parameters(prm);
+      prm.leave_subsection();
+    }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void Solids<dim>::parse_parameters(Parameters &prm)
+  {
+    prm.enter_subsection("Solids");
+    bodies.resize(prm.get_count("Number of solids", 0, maximum));
+    degree = prm.get_count("Degree", 1, 2);
+    gamma  = prm.get_in_range("Newmark gamma", 0.5, 1.);
+    for (unsigned int body = 0; body < bodies.size(); ++body)
+    {
+      prm.enter_subsection(body_name(body));
+      bodies[body].parse_parameters(prm, body_name(body));
+      prm.leave_subsection();
+    }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string> Solids<dim>::create(const double h)
+  {
+    std::vector<std::string> warnings;
+    solid_mesh = std::make_unique<SolidMesh<dim>>(degree);
+    if (empty())
+      return warnings;
+    std::vector<Point<dim>> vertices;
+    std::vector<CellData<dim>> cells;
+    for (unsigned int body = 0; body < bodies.size(); ++body)
+      bodies[body].shape.append(degree * h, body, vertices, cells);
+    solid_mesh->reinit(vertices, cells);
+    const SolidMesh<dim> &mesh = *solid_mesh;
+    const unsigned int n       = mesh.n_nodes();
+    tolerance                  = 1e-6 * h;
+
+    present.position.resize(n);
+    present.velocity.resize(n);
+    present.acceleration.assign(n, Tensor<1, dim>());
+    present.stress.assign(mesh.n_cells() * mesh.points_per_cell(), SymmetricTensor<2, 3>());
+    clamped.assign(n, false);
+    driven.assign(n, false);
+    std::vector<unsigned int> n_clamped(bodies.size(), 0), n_driven(bodies.size(), 0), n_loaded(bodies.size(), 0);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const unsigned int b        = mesh.body_of_node(i);
+      const SolidBody<dim> &body  = bodies[b];
+      const Point<dim> &reference = mesh.reference_position(i);
+      present.position[i]         = reference;
+      for (unsigned int d = 0; d < dim; ++d)
+        present.velocity[i][d] = body.initial_velocity->value(reference, d);
+      if (i < mesh.n_contour_nodes())
+      {
+        clamped[i] = body.clamped.contains(reference, tolerance);
+        driven[i]  = !clamped[i] && body.driven.contains(reference, tolerance);
+        n_clamped[b] += clamped[i];
+        n_driven[b] += driven[i];
+      }
+      if (clamped[i])
+        present.velocity[i] = Tensor<1, dim>();
+    }
+    for (const auto &cell : mesh.dof_handler().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) &&
+            bodies[cell->material_id()].loaded.contains(cell->face(f)->center(), tolerance))
+          ++n_loaded[cell->material_id()];
+    any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
+
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (const auto &[part, count] : {std::make_pair(&bodies[b].clamped, n_clamped[b]),
+                                        std::make_pair(&bodies[b].driven, n_driven[b]),
+                                        std::make_pair(&bodies[b].loaded, n_loaded[b])})
+        if (!part->where.empty() && count == 0)
+          throw InputError("Parameter '" + part->path + "' holds no part of the contour of " + bodies[b].name +
+                           ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
+
+    double widest = 0.;
+    for (const auto &facet : mesh.contour())
+      for (unsigned int v = 0; v < dim; ++v)
+        widest = std::max(widest, mesh.reference_position(facet[v])
+                                    .distance(mesh.reference_position(facet[(v + 1) % dim])));
+    if (widest > 3. * h)
+    {
+      std::ostringstream text;
+      text << "Warning: nodes on the solids' contour are up to " << widest
+           << " m apart, more than three times the mesh size of " << h << " m.";
+      warnings.push_back(text.str());
+    }
+    return warnings;
+  }
+
+
+
+  template <int dim>
+  void Solids<dim>::append_particles(const double h, ParticleCloud<dim> &cloud) const
+  {
+    Assert(cloud.size() == 0, ExcInternalError());
+    if (empty())
+      return;
+    std::vector<double> spacing(solid_mesh->n_contour_nodes(), h);
+    for (const auto &facet : solid_mesh->contour())
+      for (unsigned int v = 0; v < dim; ++v)
+        for (const unsigned int other : facet)
+          spacing[facet[v]] = std::max(spacing[facet[v]], present.position[facet[v]].distance(present.position[other]));
+    for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
+    {
+      cloud.append(present.position[i], ParticleKind::solid, spacing[i]);
+      cloud.velocity[i] = present.velocity[i];
+    }
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim> Solids<dim>::prescribed_velocity(const unsigned int node, const double time) const
+  {
+    if (clamped[node])
+      return Tensor<1, dim>();
+    const SolidBody<dim> &body = bodies[solid_mesh->body_of_node(node)];
+    return body.driven.value(solid_mesh->reference_position(node), time);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> Solids<dim>::external_forces(const double time) const
+  {
+    std::vector<Tensor<1, dim>> forces;
+    if (!any_loads)
+      return forces;
+    forces.resize(solid_mesh->n_nodes());
+    const auto &dofs = solid_mesh->dof_handler();
+    FEFaceValues<dim> values(solid_mesh->mapping(), dofs.get_fe(), QGaussSimplex<dim - 1>(3),
+                             update_values | update_JxW_values | update_quadrature_points);
+    for (const auto &cell : dofs.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+      {
+        const auto &loaded = bodies[cell->material_id()].loaded;
+        if (!cell->at_boundary(f) || !loaded.contains(cell->face(f)->center(), tolerance))
+          continue;
+        values.reinit(cell, f);
+        const unsigned int *nodes = solid_mesh->cell_nodes(cell->active_cell_index());
+        for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const Tensor<1, dim> force = values.JxW(q) * loaded.value(values.quadrature_point(q), time);
+          for (unsigned int I = 0; I < solid_mesh->nodes_per_cell(); ++I)
+            forces[nodes[I]] += values.shape_value(I, q) * force;
+        }
+      }
+    return forces;
+  }
+
+
+
+  template <int dim>
+  void Solids<dim>::move_particles(const std::vector<bool> &in_mesh, ParticleCloud<dim> &cloud) const
+  {
+    if (empty())
+      return;
+    for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
+    {
+      cloud.position[i] = present.position[i];
+      cloud.velocity[i] = present.velocity[i];
+      if (!in_mesh[i])
+      {
+        cloud.acceleration[i]  = present.acceleration[i];
+        cloud.pressure[i]      = 0.;
+        cloud.pressure_rate[i] = 0.;
+      }
+    }
+  }
+
+
+
+  template class Solids<2>;
+  template class Solids<3>;
+} // namespace Lahar
