@@ -16,10 +16,10 @@ namespace Lahar
 
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      const SolidLaw &law       = solids.law(mesh.body(c));
+      const SolidLaw &law         = solids.law(mesh.body(c));
       const unsigned int *I_nodes = mesh.cell_nodes(c);
-      matrix   = 0.;
-      residual = 0.;
+      matrix                      = 0.;
+      residual                    = 0.;
       for (unsigned int I = 0; I < n; ++I)
         for (unsigned int J = 0; J < n; ++J)
         {
@@ -38,10 +38,9 @@ namespace Lahar
         const double J_F     = determinant(F);
         if (!(J_F > 0.))
           return false;
-        const auto response =
-          law.evaluate(mesh.deformation_gradient(c, q, solids.state().position), F,
-                       solids.state().stress[c * n_q + q], dim);
-        const double volume          = J_F * mesh.volume(c, q), s_volume = factors.position * volume;
+        const auto response = law.evaluate(mesh.deformation_gradient(c, q, solids.state().position), F,
+                                           solids.state().stress[c * n_q + q], dim);
+        const double volume = J_F * mesh.volume(c, q), s_volume = factors.position * volume;
         const Tensor<2, 3> inverse_F = invert(F);
         const Tensor<1, dim> *G      = mesh.gradients(c, q);
         for (unsigned int I = 0; I < n; ++I)

@@ -81,7 +81,8 @@ namespace Lahar
     }
 
     template <typename Values, std::size_t n>
-    auto mean(const Values &values, const std::array<unsigned int, n> &facet, const std::array<double, n> &shares)
+    auto mean(const Values &values, const std::array<unsigned int, n> &facet,
+              const std::array<double, n> &shares)
     {
       auto sum = shares[0] * values[facet[0]];
       for (unsigned int v = 1; v < n; ++v)
@@ -153,9 +154,10 @@ namespace Lahar
   void SolidContour<dim>::put_before(const unsigned int f, const unsigned int particle,
                                      ParticleCloud<dim> &cloud) const
   {
-    const auto &corners          = shapes.facets()[f].corners;
-    const auto shares            = nearest_shares(corners, cloud.position[particle]);
-    cloud.position[particle]     = point_of<dim>(corners, shares) + clearance * cloud.spacing[particle] * shapes.normal(f);
+    const auto &corners      = shapes.facets()[f].corners;
+    const auto shares        = nearest_shares(corners, cloud.position[particle]);
+    cloud.position[particle] = point_of<dim>(corners, shares) +
+                               clearance * cloud.spacing[particle] * shapes.normal(f);
     cloud.velocity[particle]     = mean(cloud.velocity, particles[f], shares);
     cloud.acceleration[particle] = Tensor<1, dim>();
   }

@@ -455,8 +455,8 @@ namespace Lahar
     for (const auto &corners : surface_triangles.at(tag))
     {
       triangles.push_back({{numbers.at(corners[0]), numbers.at(corners[1]), numbers.at(corners[2])}});
-      const Point<2> &a       = nodes.at(corners[0]);
-      const Tensor<1, 2> ab   = nodes.at(corners[1]) - a, ac = nodes.at(corners[2]) - a;
+      const Point<2> &a     = nodes.at(corners[0]);
+      const Tensor<1, 2> ab = nodes.at(corners[1]) - a, ac = nodes.at(corners[2]) - a;
       const double twice_area = std::abs(cross_product_2d(ab) * ac);
       if (!(twice_area > 1e-12 * (ab.norm_square() + ac.norm_square())))
         throw InputError(file_name + ": the triangle of the nodes " + std::to_string(corners[0]) + ", " +

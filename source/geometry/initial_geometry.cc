@@ -348,8 +348,14 @@ namespace Lahar
     for (const Point<2> &p : wall_points)
       add(p, ParticleKind::wall, 0.1 * h);
     for (const Body &body : bodies)
+    {
+      for (unsigned int i = 0; i < cloud.size() && !body.contour.empty(); ++i)
+        if (cloud.kind[i] != ParticleKind::fluid &&
+            distance_to_contour(body.contour, cloud.position[i]) < 0.1 * h)
+          wet[i] = true;
       for (const Point<2> &p : body.contour.empty() ? body.nodes : fill_polygon(body.contour, h))
         add(p, ParticleKind::fluid, 0.3 * h);
+    }
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
     return wet;

@@ -16,9 +16,11 @@ namespace Lahar
     prm.declare_entry("Elements", "", Patterns::Anything(),
                       std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
                         " of a box, separated by commas; empty: as many as the mesh size asks for.");
-    prm.declare_entry("Mesh file", "", Patterns::Anything(),
-                      "A gmsh file (.msh, ASCII, format 2.2 or 4.1) with the solid's mesh, instead of a box.");
-    prm.declare_entry("Group", "", Patterns::Anything(), "The mesh file's physical surface that is the solid.");
+    prm.declare_entry(
+      "Mesh file", "", Patterns::Anything(),
+      "A gmsh file (.msh, ASCII, format 2.2 or 4.1) with the solid's mesh, instead of a box.");
+    prm.declare_entry("Group", "", Patterns::Anything(),
+                      "The mesh file's physical surface that is the solid.");
   }
 
 

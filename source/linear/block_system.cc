@@ -251,7 +251,8 @@ namespace Lahar
     for (unsigned int I = 0; I < n_corners; ++I)
     {
       const std::size_t start = pressure_graph.row_start[cell[I]], degree = pressure_graph.degree(cell[I]);
-      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
+      double *K_rows = block_values[0][0] +
+                       dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
       const std::size_t K_degree = all_graph.degree(cell[I]);
       for (unsigned int a = 0; a < dim; ++a)
         rhs_values[0][dim * cell[I] + a] -= local_residual[I * n_corners + a];
@@ -259,7 +260,8 @@ namespace Lahar
 
       for (unsigned int J = 0; J < n_corners; ++J)
       {
-        const unsigned int place = places[c][I * n_corners + J], K_place = velocity_places[c][I * n_corners + J];
+        const unsigned int place   = places[c][I * n_corners + J],
+                           K_place = velocity_places[c][I * n_corners + J];
         for (unsigned int a = 0; a < dim; ++a)
         {
           const double *row = &local_matrix[I * n_corners + a][J * n_corners];
@@ -303,8 +305,9 @@ namespace Lahar
     }
     for (unsigned int I = 0; I < n; ++I)
     {
-      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
-      const std::size_t K_degree   = all_graph.degree(cell[I]);
+      double *K_rows = block_values[0][0] +
+                       dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
+      const std::size_t K_degree       = all_graph.degree(cell[I]);
       const unsigned short *row_places = &solid_places[(static_cast<std::size_t>(c) * n + I) * n];
       for (unsigned int a = 0; a < dim; ++a)
       {

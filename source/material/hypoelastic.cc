@@ -13,11 +13,11 @@ namespace Lahar
   SolidLaw::Response Hypoelastic::evaluate(const Tensor<2, 3> &old_F, const Tensor<2, 3> &F,
                                            const Stress &old_stress, const unsigned int dim) const
   {
-    const Tensor<2, 3> one   = unit_symmetric_tensor<3>();
-    const Tensor<2, 3> f     = F * invert(old_F);
-    const Tensor<2, 3> M     = invert(0.5 * (f + one)); // ∂x_n/∂x_{n+1/2}
-    const Tensor<2, 3> H     = (f - one) * M;
-    const Tensor<2, 3> D     = 0.5 * (H + transpose(H)), W = 0.5 * (H - transpose(H));
+    const Tensor<2, 3> one = unit_symmetric_tensor<3>();
+    const Tensor<2, 3> f   = F * invert(old_F);
+    const Tensor<2, 3> M   = invert(0.5 * (f + one)); // ∂x_n/∂x_{n+1/2}
+    const Tensor<2, 3> H   = (f - one) * M;
+    const Tensor<2, 3> D = 0.5 * (H + transpose(H)), W = 0.5 * (H - transpose(H));
     const Tensor<2, 3> left  = invert(one - 0.5 * W);
     const Tensor<2, 3> R     = left * (one + 0.5 * W);
     const Tensor<2, 3> sigma = old_stress;

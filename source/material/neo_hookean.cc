@@ -16,10 +16,10 @@ namespace Lahar
                                           const Stress & /*old_stress*/, const unsigned int dim) const
   {
     const double J = determinant(F), kappa = bulk_modulus();
-    const double G_J                    = shear_modulus() * std::pow(J, -5. / 3.);
-    const SymmetricTensor<2, 3> b       = symmetrize(F * transpose(F));
-    const SymmetricTensor<2, 3> dev_b   = deviator(b);
-    const SymmetricTensor<2, 3> one     = unit_symmetric_tensor<3>();
+    const double G_J                   = shear_modulus() * std::pow(J, -5. / 3.);
+    const SymmetricTensor<2, 3> b      = symmetrize(F * transpose(F));
+    const SymmetricTensor<2, 3> dev_b  = deviator(b);
+    const SymmetricTensor<2, 3> one    = unit_symmetric_tensor<3>();
     const double volumetric_derivative = 0.5 * kappa * (J + 1. / J);
 
     Response response;

@@ -40,7 +40,8 @@ namespace Lahar
       {
         const std::string name = solids.all_bodies()[b].name;
         add_to_column(statistics, name + " fluid force " + "xyz"[d] + " (N)", by_fluid[b][d]);
-        add_to_column(statistics, name + " support force " + "xyz"[d] + " (N)", by_support[b][d] - by_fluid[b][d]);
+        add_to_column(statistics, name + " support force " + "xyz"[d] + " (N)",
+                      by_support[b][d] - by_fluid[b][d]);
       }
   }
 

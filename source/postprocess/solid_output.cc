@@ -10,14 +10,16 @@ namespace Lahar
   {
     /// The pieces of a cell by local nodes: deal.II numbers the middles of the edges after the corners, in 2D 01, 12, 20,
     /// in 3D 01, 12, 20, 03, 13, 23.
-    std::vector<std::array<unsigned int, 3>> pieces(const std::integral_constant<int, 2>, const bool is_quadratic)
+    std::vector<std::array<unsigned int, 3>> pieces(const std::integral_constant<int, 2>,
+                                                    const bool is_quadratic)
     {
       if (!is_quadratic)
         return {{{0, 1, 2}}};
       return {{{0, 3, 5}}, {{3, 1, 4}}, {{5, 4, 2}}, {{3, 4, 5}}};
     }
 
-    std::vector<std::array<unsigned int, 4>> pieces(const std::integral_constant<int, 3>, const bool is_quadratic)
+    std::vector<std::array<unsigned int, 4>> pieces(const std::integral_constant<int, 3>,
+                                                    const bool is_quadratic)
     {
       if (!is_quadratic)
         return {{{0, 1, 2, 3}}};
@@ -31,10 +33,10 @@ namespace Lahar
   template <int dim>
   SolidOutput<dim>::SolidOutput(const Solids<dim> &solids)
   {
-    const SolidMesh<dim> &mesh    = solids.mesh();
-    const SolidState<dim> &state  = solids.state();
-    const auto cell_pieces        = pieces(std::integral_constant<int, dim>(), mesh.nodes_per_cell() > dim + 1);
-    const unsigned int n_q        = mesh.points_per_cell();
+    const SolidMesh<dim> &mesh   = solids.mesh();
+    const SolidState<dim> &state = solids.state();
+    const auto cell_pieces = pieces(std::integral_constant<int, dim>(), mesh.nodes_per_cell() > dim + 1);
+    const unsigned int n_q = mesh.points_per_cell();
     const unsigned int n_datasets = get_dataset_names().size();
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {

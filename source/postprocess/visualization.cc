@@ -51,8 +51,8 @@ namespace Lahar
               "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n"
            << std::setprecision(12);
       for (const Record &record : records)
-        file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part << "\" file=\""
-             << record.file_name << "\"/>\n";
+        file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part
+             << "\" file=\"" << record.file_name << "\"/>\n";
       file << "</Collection>\n</VTKFile>\n";
     });
   }

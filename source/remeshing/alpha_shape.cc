@@ -10,10 +10,10 @@ namespace Lahar
     /// Simplices below this fraction of h^dim are taken for flat.
     constexpr double flat_volume = 1e-6;
 
-    /// Fluid that moves towards a wall lands where the gap is below this times h …
-    constexpr double landing_gap = 0.25;
+    /// Fluid that moves towards a wall or towards fluid meets it where the gap is below this times h …
+    constexpr double closing_gap = 0.15;
     /// … or where the simplex in the gap loses this part of its volume within the next step.
-    constexpr double landing_shrinkage = 0.7;
+    constexpr double closing_shrinkage = 0.7;
     /// Fluid that has passed a dry wall particle spreads to it where the gap is below this times h.
     constexpr double spreading_gap = 0.6;
 
@@ -61,6 +61,27 @@ namespace Lahar
       return std::min(circumradius<dim>(corners), longest);
     }
 
+    /// The gap that the simplex bridges: between its fluid and its wall corners (the sum of the fluid's shape functions
+    /// rises from 0 to 1 in it), or, of fluid only, its smallest height.
+    template <int dim>
+    double gap_in(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
+                  const ParticleCloud<dim> &cloud)
+    {
+      double steepest = 0.;
+      bool any_wall   = false;
+      Tensor<1, dim> rise;
+      const auto gradients = shape_gradients<dim>(corners);
+      for (unsigned int c = 0; c <= dim; ++c)
+      {
+        steepest = std::max(steepest, gradients[c].norm());
+        if (cloud.kind[simplex[c]] == ParticleKind::fluid)
+          rise += gradients[c];
+        else
+          any_wall = true;
+      }
+      return 1. / (any_wall ? rise.norm() : steepest);
+    }
+
     template <int dim>
     bool crosses_wall(const SimplexCorners<dim> &corners, const double h, const Walls<dim> &walls)
     {
@@ -86,9 +107,6 @@ namespace Lahar
                       "Largest circumradius of a fluid simplex over the particles' spacing, 1 or above.");
     prm.declare_entry("Alpha inside", "2.5", Patterns::Anything(),
                       "Rule 'advected': the same for simplices inside the old domain, Alpha or above.");
-    prm.declare_entry(
-      "Alpha outside", "0.8", Patterns::Anything(),
-      "Rule 'advected': the same for simplices of fluid particles outside the old domain, 0.6 to Alpha.");
     prm.leave_subsection();
   }
 
@@ -100,10 +118,9 @@ namespace Lahar
     prm.enter_subsection("Alpha shape");
     if (prm.get("Rule") != "advected" && prm.get("Rule") != "plain")
       prm.throw_wrong_value("Rule", "plain|advected");
-    advected    = prm.get("Rule") == "advected";
-    alpha       = prm.get_in_range("Alpha", 1., 10.);
-    alpha_keep  = prm.get_in_range("Alpha inside", alpha, 100.);
-    alpha_merge = prm.get_in_range("Alpha outside", 0.6, alpha);
+    advected   = prm.get("Rule") == "advected";
+    alpha      = prm.get_in_range("Alpha", 1., 10.);
+    alpha_keep = prm.get_in_range("Alpha inside", alpha, 100.);
     prm.leave_subsection();
   }
 
@@ -147,35 +164,29 @@ namespace Lahar
 
     if (crosses_wall<dim>(corners, h, walls))
       return Verdict::no_fluid;
+    // Three neighbours on a hollow surface make a flat simplex with a long edge: no gap between two bodies.
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
-    const bool arrives = touches_wall ? is_arriving(simplex, corners, size, h, cloud, old_domain, time_step)
-                                      : circumradius<dim>(corners) < alpha_merge * h &&
-                                          shrinkage<dim>(simplex, corners, cloud) > 0.;
-    return arrives ? Verdict::becomes_fluid : Verdict::no_fluid;
+    if (!touches_wall && size >= alpha * h)
+      return Verdict::no_fluid;
+
+    const double gap       = gap_in<dim>(simplex, corners, cloud);
+    const double shrinking = shrinkage<dim>(simplex, corners, cloud);
+    if ((shrinking >= 0. && gap < closing_gap * h) || shrinking * time_step > closing_shrinkage ||
+        (size < alpha * h && gap < spreading_gap * h &&
+         spreads_along_wall(simplex, corners, cloud, old_domain)))
+      return Verdict::becomes_fluid;
+    return Verdict::no_fluid;
   }
 
 
 
   template <int dim>
-  bool AlphaShape<dim>::is_arriving(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
-                                    const double size, const double h, const ParticleCloud<dim> &cloud,
-                                    const OldDomain<dim> &old_domain, const double time_step) const
+  bool AlphaShape<dim>::spreads_along_wall(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
+                                           const ParticleCloud<dim> &cloud,
+                                           const OldDomain<dim> &old_domain) const
   {
-    // The gap between the fluid's and the wall's corners: the sum of the fluid's shape functions rises from 0 to 1 in it.
-    const auto gradients = shape_gradients<dim>(corners);
-    Tensor<1, dim> rise;
-    for (unsigned int c = 0; c <= dim; ++c)
-      if (cloud.kind[simplex[c]] == ParticleKind::fluid)
-        rise += gradients[c];
-    const double gap       = 1. / rise.norm();
-    const double shrinking = shrinkage<dim>(simplex, corners, cloud);
-    if (shrinking >= 0. && (gap < landing_gap * h || shrinking * time_step > landing_shrinkage))
-      return true;
-
-    if (size >= alpha * h || gap >= spreading_gap * h)
-      return false;
     bool any_wet = false;
     for (unsigned int dry = 0; dry <= dim; ++dry)
     {

@@ -94,11 +94,12 @@ namespace Lahar
                                                const std::vector<std::array<unsigned int, 2>> &segments,
                                                unsigned int &n_forced)
   {
-    using Types         = CGALTypes<2>;
-    using Structure     = CGAL::Triangulation_data_structure_2<Types::Vertex,
-                                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-    using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-                                                                     CGAL::No_constraint_intersection_tag>;
+    using Types = CGALTypes<2>;
+    using Structure =
+      CGAL::Triangulation_data_structure_2<Types::Vertex,
+                                           CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+    using Triangulation =
+      CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
     std::vector<std::pair<Triangulation::Point, unsigned int>> numbered;
     numbered.reserve(points.size());

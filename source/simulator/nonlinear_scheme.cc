@@ -108,6 +108,7 @@ namespace Lahar
       {
         ++report.iterations;
         iterate(problem, report);
+        report.increments.emplace_back(report.velocity_increment, report.pressure_increment);
       } while (!is_converged(report) && report.iterations < maximum_iterations);
       if (!is_converged(report))
       {

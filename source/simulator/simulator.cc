@@ -107,7 +107,8 @@ namespace Lahar
          << "\nUnknowns         " << (dim + 1) * fluid_mesh.n_vertices() << "\nFluid volume     "
          << initial_volume << (dim == 2 ? " m^2" : " m^3");
     if (!solids.empty())
-      text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      " << solids.mesh().n_cells();
+      text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
+           << solids.mesh().n_cells();
     for (const std::string &warning : warnings)
       text << '\n' << warning;
     return text.str();
@@ -121,6 +122,9 @@ namespace Lahar
     const std::string &directory = parameters.output_directory;
     progress      = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time);
     visualization = std::make_unique<Visualization<dim>>(directory);
+    convergence.open(directory + "/convergence");
+    convergence << "# step, time (s), iteration, relative increments of velocity and pressure\n"
+                << std::flush;
     progress->message(sizes());
     visualization->write(snapshot());
     next_output_time = parameters.start_time + parameters.output_interval;
@@ -214,7 +218,8 @@ namespace Lahar
     change_by_remeshing += (new_volume - volume) / initial_volume;
     volume = new_volume;
     if (fluid_mesh.n_cells() == 0 && solids.empty())
-      throw RunError("Time " + std::to_string(time) + " s: no fluid cell is left, all particles are isolated.");
+      throw RunError("Time " + std::to_string(time) +
+                     " s: no fluid cell is left, all particles are isolated.");
   }
 
 
@@ -290,6 +295,9 @@ namespace Lahar
     add_to_column(statistics, "Pressure increment", report.pressure_increment);
     add_to_column(statistics, "Momentum residual (N)", report.momentum_residual);
     add_to_column(statistics, "Mass residual (m^dim/s)", report.mass_residual);
+    for (unsigned int i = 0; i < report.increments.size(); ++i)
+      convergence << step_number << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
+                  << report.increments[i].second << '\n';
     statistics.add_value("Linear iterations", report.linear_iterations);
     statistics.add_value("Fluid cells", fluid_mesh.n_cells());
     statistics.add_value("Solid cells", solids.mesh().n_cells());

@@ -66,9 +66,10 @@ namespace Lahar
     for (unsigned int i = 0; i < system_nodes.size(); ++i)
     {
       state.velocity[i]     = velocities[system_nodes[i]];
-      state.acceleration[i] = integration.acceleration(state.velocity[i], old.velocity[i], old.acceleration[i]);
+      state.acceleration[i] = integration.acceleration(state.velocity[i], old.velocity[i],
+                                                       old.acceleration[i]);
       state.position[i]     = old.position[i] + integration.displacement(state.velocity[i], old.velocity[i],
-                                                                     integration.position_factor(false));
+                                                                         integration.position_factor(false));
     }
   }
 

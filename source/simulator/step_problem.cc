@@ -45,10 +45,10 @@ namespace Lahar
 
   template <int dim>
   void StepProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                                     const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
-                                     const Tensor<1, dim> &new_gravity, const TimeIntegration &integration,
-                                     const std::vector<bool> &arrives, const Solids<dim> &solids,
-                                     const double end_time)
+                                    const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
+                                    const Tensor<1, dim> &new_gravity, const TimeIntegration &integration,
+                                    const std::vector<bool> &arrives, const Solids<dim> &solids,
+                                    const double end_time)
   {
     mesh             = &new_mesh;
     fluid_law        = &law;
@@ -72,8 +72,8 @@ namespace Lahar
     state.factors = time_integration.factors();
     state.position_factor.resize(mesh->n_vertices());
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.position_factor[v] =
-        time_integration.position_factor(arrives[v] && cloud.kind[mesh->particle(v)] != ParticleKind::solid);
+      state.position_factor[v] = time_integration.position_factor(
+        arrives[v] && cloud.kind[mesh->particle(v)] != ParticleKind::solid);
     state.pressure     = state.old_pressure;
     state.velocity     = state.old_velocity;
     state.position     = state.old_position;
@@ -89,7 +89,7 @@ namespace Lahar
     set_node_velocities(velocities);
     // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
     // v = −(Δt/s − 1) v_n, nothing is. A solid that is driven may leave them no room.
-    constexpr unsigned int n_attempts = 4;
+    constexpr unsigned int n_attempts     = 4;
     const std::vector<double> old_volumes = volumes(state.old_position);
     std::vector<unsigned int> n_shrunk(mesh->n_vertices(), 0);
     for (unsigned int attempt = 0; attempt < n_attempts * n_attempts; ++attempt)
@@ -343,7 +343,7 @@ namespace Lahar
   template <int dim>
   bool StepProblem<dim>::set_unknowns(const Vector<double> &values)
   {
-    const unsigned int n     = system.n_nodes();
+    const unsigned int n      = system.n_nodes();
     const auto old_velocities = node_velocities();
     std::vector<Tensor<1, dim>> velocities(n);
     for (unsigned int v = 0; v < n; ++v)

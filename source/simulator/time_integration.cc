@@ -30,14 +30,16 @@ namespace Lahar
   {
     TimeIntegration other = *this;
     other.newmark_gamma   = other_gamma;
+    other.start_step(time_step, is_first);
     return other;
   }
 
 
 
-  void TimeIntegration::start_step(const double new_time_step, const bool is_first)
+  void TimeIntegration::start_step(const double new_time_step, const bool new_is_first)
   {
     time_step = new_time_step;
+    is_first  = new_is_first;
     gamma     = newmark && !is_first ? newmark_gamma : 1.;
   }
 

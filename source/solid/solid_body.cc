@@ -28,21 +28,27 @@ namespace Lahar
   template <int dim>
   void SolidBody<dim>::declare_parameters(Parameters &prm)
   {
-    const std::string zero = dim == 2 ? "0; 0" : "0; 0; 0", boxes = ", by boxes in the undeformed configuration: ",
+    const std::string zero    = dim == 2 ? "0; 0" : "0; 0; 0",
+                      boxes   = ", by boxes in the undeformed configuration: ",
                       corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
                       by      = boxes + corners + " separated by ';'";
     SolidShape<dim>::declare_parameters(prm);
-    prm.declare_entry("Clamped", "", Patterns::Anything(), "Part of the contour that does not move" + by + ".");
-    prm.declare_entry("Driven", "", Patterns::Anything(), "Part of the contour with a given motion" + by + ".");
-    prm.declare_entry("Driving velocity", zero, Patterns::Anything(),
-                      "Velocity of the driven part in m/s: functions of the undeformed coordinates and of the "
-                      "time t, one per component, separated by ';'.");
+    prm.declare_entry("Clamped", "", Patterns::Anything(),
+                      "Part of the contour that does not move" + by + ".");
+    prm.declare_entry("Driven", "", Patterns::Anything(),
+                      "Part of the contour with a given motion" + by + ".");
+    prm.declare_entry(
+      "Driving velocity", zero, Patterns::Anything(),
+      "Velocity of the driven part in m/s: functions of the undeformed coordinates and of the "
+      "time t, one per component, separated by ';'.");
     prm.declare_entry("Loaded", "", Patterns::Anything(), "Part of the contour with a given load" + by + ".");
-    prm.declare_entry("Traction", zero, Patterns::Anything(),
-                      "Force per undeformed area on the loaded part in Pa, functions as in 'Driving velocity'. "
-                      "It keeps its direction when the solid turns.");
-    prm.declare_entry("Initial velocity", zero, Patterns::Anything(),
-                      "Initial velocity in m/s, functions of the coordinates, one per component, separated by ';'.");
+    prm.declare_entry(
+      "Traction", zero, Patterns::Anything(),
+      "Force per undeformed area on the loaded part in Pa, functions as in 'Driving velocity'. "
+      "It keeps its direction when the solid turns.");
+    prm.declare_entry(
+      "Initial velocity", zero, Patterns::Anything(),
+      "Initial velocity in m/s, functions of the coordinates, one per component, separated by ';'.");
     SolidLaw::declare_parameters(prm);
   }
 
@@ -78,10 +84,10 @@ namespace Lahar
   {
     name = new_name;
     shape.parse_parameters(prm);
-    clamped          = {parse_boxes<dim>(prm, "Clamped"), nullptr, prm.path("Clamped")};
-    driven           = {parse_boxes<dim>(prm, "Driven"), parse_function<dim>(prm, "Driving velocity"),
-              prm.path("Driven")};
-    loaded           = {parse_boxes<dim>(prm, "Loaded"), parse_function<dim>(prm, "Traction"), prm.path("Loaded")};
+    clamped = {parse_boxes<dim>(prm, "Clamped"), nullptr, prm.path("Clamped")};
+    driven  = {parse_boxes<dim>(prm, "Driven"), parse_function<dim>(prm, "Driving velocity"),
+               prm.path("Driven")};
+    loaded  = {parse_boxes<dim>(prm, "Loaded"), parse_function<dim>(prm, "Traction"), prm.path("Loaded")};
     initial_velocity = parse_function<dim>(prm, "Initial velocity");
     law              = SolidLaw::create(prm);
   }

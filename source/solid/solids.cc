@@ -26,10 +26,12 @@ namespace Lahar
     prm.declare_entry("Number of solids", "0", Patterns::Anything(),
                       "Number of elastic solids, 0 to " + std::to_string(maximum) +
                         "; each has a subsection 'Solid 1', 'Solid 2' ...");
-    prm.declare_entry("Degree", "2", Patterns::Anything(),
-                      "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
-    prm.declare_entry("Newmark gamma", "0.5", Patterns::Anything(),
-                      "Newmark's γ for the solids, 0.5 to 1. 0.5 keeps the energy; larger values damp vibrations.");
+    prm.declare_entry(
+      "Degree", "2", Patterns::Anything(),
+      "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
+    prm.declare_entry(
+      "Newmark gamma", "0.5", Patterns::Anything(),
+      "Newmark's γ for the solids, 0.5 to 1. 0.5 keeps the energy; larger values damp vibrations.");
     for (unsigned int body = 0; body < n_bodies; ++body)
     {
       prm.enter_subsection(body_name(body));
@@ -81,7 +83,8 @@ namespace Lahar
     present.stress.assign(mesh.n_cells() * mesh.points_per_cell(), SymmetricTensor<2, 3>());
     clamped.assign(n, false);
     driven.assign(n, false);
-    std::vector<unsigned int> n_clamped(bodies.size(), 0), n_driven(bodies.size(), 0), n_loaded(bodies.size(), 0);
+    std::vector<unsigned int> n_clamped(bodies.size(), 0), n_driven(bodies.size(), 0),
+      n_loaded(bodies.size(), 0);
     for (unsigned int i = 0; i < n; ++i)
     {
       const unsigned int b        = mesh.body_of_node(i);
@@ -108,18 +111,19 @@ namespace Lahar
     any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const auto &[part, count] : {std::make_pair(&bodies[b].clamped, n_clamped[b]),
-                                        std::make_pair(&bodies[b].driven, n_driven[b]),
-                                        std::make_pair(&bodies[b].loaded, n_loaded[b])})
+      for (const auto &[part, count] :
+           {std::make_pair(&bodies[b].clamped, n_clamped[b]), std::make_pair(&bodies[b].driven, n_driven[b]),
+            std::make_pair(&bodies[b].loaded, n_loaded[b])})
         if (!part->where.empty() && count == 0)
-          throw InputError("Parameter '" + part->path + "' holds no part of the contour of " + bodies[b].name +
+          throw InputError("Parameter '" + part->path + "' holds no part of the contour of " +
+                           bodies[b].name +
                            ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
 
     double widest = 0.;
     for (const auto &facet : mesh.contour())
       for (unsigned int v = 0; v < dim; ++v)
-        widest = std::max(widest, mesh.reference_position(facet[v])
-                                    .distance(mesh.reference_position(facet[(v + 1) % dim])));
+        widest = std::max(widest, mesh.reference_position(facet[v]).distance(
+                                    mesh.reference_position(facet[(v + 1) % dim])));
     if (widest > 3. * h)
     {
       std::ostringstream text;
@@ -142,7 +146,8 @@ namespace Lahar
     for (const auto &facet : solid_mesh->contour())
       for (unsigned int v = 0; v < dim; ++v)
         for (const unsigned int other : facet)
-          spacing[facet[v]] = std::max(spacing[facet[v]], present.position[facet[v]].distance(present.position[other]));
+          spacing[facet[v]] = std::max(spacing[facet[v]],
+                                       present.position[facet[v]].distance(present.position[other]));
     for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
     {
       cloud.append(present.position[i], ParticleKind::solid, spacing[i]);

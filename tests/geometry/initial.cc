@@ -27,11 +27,11 @@ struct Case
       prm.set(entry, value);
     prm.leave_subsection();
     InitialGeometry geometry;
-    geometry.parse_parameters(prm);
-    const std::vector<bool> wet = geometry.create(h, cloud, walls);
+    geometry.parse_parameters(prm, false);
+    const std::vector<bool> wet = geometry.create(h, SolidContour<2>({}, cloud), cloud, walls);
     Remesher<2> remesher;
     parse(remesher);
-    remesher.create_mesh(cloud, walls, wet, mesh);
+    remesher.create_mesh(cloud, walls, {}, wet, mesh);
   }
 
   double nearest_distance() const

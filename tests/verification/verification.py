@@ -43,13 +43,13 @@ class Check:
         self.overrides = arguments.set
         self.misses = []
 
-    def run(self, prm):
-        """Run prm/verification/@p prm. Return its output directory."""
+    def run(self, prm, *settings):
+        """Run prm/verification/@p prm with further settings "entry=value". Return its output directory."""
         directory = (self.output / pathlib.Path(prm).stem).resolve()
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
         command = [str(self.lahar), "--set", f"Output directory={directory}"]
-        for override in self.overrides:
+        for override in [*settings, *self.overrides]:
             command += ["--set", override]
         start = time.monotonic()
         with open(directory / "screen.txt", "w") as screen:

@@ -51,8 +51,8 @@ namespace Lahar
     std::string file_name;
     std::map<std::size_t, Point<2>> nodes;                       ///< by node tag
     std::map<std::pair<unsigned int, std::string>, long> groups; ///< group tags, by dimension and name
-    std::map<long, std::vector<std::array<std::size_t, 2>>> curve_edges; ///< node tags, by group tag
-    std::map<long, std::set<std::size_t>> surface_nodes;                 ///< node tags, by group tag
+    std::map<long, std::vector<std::array<std::size_t, 2>>> curve_edges;       ///< node tags, by group tag
+    std::map<long, std::set<std::size_t>> surface_nodes;                       ///< node tags, by group tag
     std::map<long, std::vector<std::array<std::size_t, 3>>> surface_triangles; ///< node tags, by group tag
   };
 } // namespace Lahar

@@ -23,7 +23,7 @@ namespace Lahar
     struct Report
     {
       bool changed          = false; ///< the connectivity
-      unsigned int n_forced = 0;     ///< facets of solids' contours that the Delaunay triangulation did not have
+      unsigned int n_forced = 0; ///< facets of solids' contours that the Delaunay triangulation did not have
       std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
     };
 

@@ -16,12 +16,13 @@
 #include <lahar/postprocess/visualization.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/remesher.h>
-#include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_parameters.h>
+#include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/time_integration.h>
 #include <lahar/solid/solids.h>
 
+#include <fstream>
 #include <memory>
 
 namespace Lahar
@@ -107,6 +108,7 @@ namespace Lahar
     std::vector<Tensor<1, dim>> wall_forces, solid_forces;
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
     TableHandler statistics;
+    std::ofstream convergence; ///< the increments of every iteration
     std::unique_ptr<Visualization<dim>> visualization;
     std::unique_ptr<Progress> progress;
     double next_output_time = 0.;

@@ -26,7 +26,7 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /// The same rule with another γ of Newmark's.
+    /// The same rule, in the same step, with another γ of Newmark's.
     TimeIntegration with_gamma(const double newmark_gamma) const;
 
     /// Begin a step of length @p time_step (s); @p is_first as said above.
@@ -61,6 +61,7 @@ namespace Lahar
     double newmark_gamma = 0.7;
     double gamma         = 1.;
     double time_step     = 0.;
+    bool is_first        = true;
   };
 } // namespace Lahar
 

@@ -42,9 +42,9 @@ namespace Lahar
     std::string name;
     SolidShape<dim> shape;
     std::unique_ptr<SolidLaw> law;
-    Prescribed clamped; ///< without a function
-    Prescribed driven;  ///< velocity, m/s
-    Prescribed loaded;  ///< force per undeformed area, Pa
+    Prescribed clamped;                                    ///< without a function
+    Prescribed driven;                                     ///< velocity, m/s
+    Prescribed loaded;                                     ///< force per undeformed area, Pa
     std::shared_ptr<FunctionParser<dim>> initial_velocity; ///< m/s
   };
 } // namespace Lahar

@@ -14,9 +14,9 @@ namespace Lahar
   template <int dim>
   struct SolidState
   {
-    std::vector<Point<dim>> position;         ///< m
-    std::vector<Tensor<1, dim>> velocity;     ///< m/s
-    std::vector<Tensor<1, dim>> acceleration; ///< m/s²
+    std::vector<Point<dim>> position;          ///< m
+    std::vector<Tensor<1, dim>> velocity;      ///< m/s
+    std::vector<Tensor<1, dim>> acceleration;  ///< m/s²
     std::vector<SymmetricTensor<2, 3>> stress; ///< Cauchy stress, Pa
   };
 } // namespace Lahar

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+"""V8, V9 and V2 of elastic solids: cantilevers, vibrations, free flight, and a wall under hydrostatic load."""
+
+import numpy as np
+
+from verification import Check, read_run, run_check
+
+# The barrier of the dam breaks, plane strain with nu = 0: E, rho, height, thickness.
+YOUNG, DENSITY, HEIGHT, THICKNESS = 1e6, 2500., 0.08, 0.012
+SHEAR_FACTOR = 5. / 6.
+# Bisshopp & Drucker 1945, P L^2/(E I) = 2: transverse displacement and shortening of the tip over the length.
+ELASTICA = (0.493457, 0.160642)
+
+
+def timoshenko_frequency(young, density, length, thickness):
+    """First frequency of a clamped-free Timoshenko beam, nu = 0 (Huang, J. Appl. Mech. 28 (1961) 579-584), and that of
+    Euler and Bernoulli, Hz."""
+    r2 = thickness**2 / (12. * length**2)
+    s2 = r2 * 2. / SHEAR_FACTOR
+    scale = np.sqrt(young * thickness**2 / (12. * density * length**4))
+
+    def equation(b):
+        root = np.sqrt((r2 - s2)**2 + 4. / b**2)
+        alpha, beta = np.sqrt((root - r2 - s2) / 2.), np.sqrt((root + r2 + s2) / 2.)
+        return (2. + (b**2 * (r2 - s2)**2 + 2.) * np.cosh(b * alpha) * np.cos(b * beta)
+                - b * (r2 + s2) / np.sqrt(1. - b**2 * r2 * s2) * np.sinh(b * alpha) * np.sin(b * beta))
+
+    lower, upper = 2., 3.7
+    for _ in range(60):
+        middle = 0.5 * (lower + upper)
+        lower, upper = (middle, upper) if equation(lower) * equation(middle) > 0. else (lower, middle)
+    return lower * scale / (2. * np.pi), 1.8751041**2 * scale / (2. * np.pi)
+
+
+def beam_deflection(load, length, thickness, young):
+    """Tip of a cantilever under a uniform load: bending and shear."""
+    return load * length**4 / (8. * young * thickness**3 / 12.) + load * length**2 / (SHEAR_FACTOR * young * thickness)
+
+
+def measured_frequency(time, tip):
+    rising = np.flatnonzero((tip[:-1] < 0.) & (tip[1:] >= 0.))
+    zeros = time[rising] - tip[rising] * (time[rising + 1] - time[rising]) / (tip[rising + 1] - tip[rising])
+    return (len(zeros) - 1) / (zeros[-1] - zeros[0])
+
+
+def test_cantilever(check):
+    for law in ("hypoelastic", "neo-Hookean"):
+        tip = read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}"))
+        check.near(f"{law}, large deflection", tip["tip y (m)"][-1], ELASTICA[0], 0.01)
+        check.near(f"{law}, shortening", -tip["tip x (m)"][-1], ELASTICA[1], 0.01)
+
+
+def test_pressure(check):
+    exact = beam_deflection(1., HEIGHT, THICKNESS, YOUNG)
+
+    def tip(degree, n):
+        run = read_run(check.run("elastic_solids/barrier_pressure.prm", f"Solids/Degree={degree}",
+                                 f"Solids/Solid 1/Elements={n}, {7 * n}"))
+        return run["tip x (m)"][-1]
+
+    check.near("quadratic elements, one through the thickness", tip(2, 1), exact, 0.01)
+    check.near("quadratic elements, two", tip(2, 2), exact, 0.002)
+    errors = [1. - tip(1, n) / exact for n in (2, 4, 8)]
+    print(f"  linear elements, 2, 4 and 8 through the thickness: {', '.join(f'{-100. * e:.1f} %' for e in errors)}")
+    order = np.log2(errors[1] / errors[2])
+    check.below("linear elements, order of convergence", abs(order - 2.), 0.35, f"{order:.2f}, difference from 2: ")
+
+
+def test_vibration(check):
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm"))
+    timoshenko, bernoulli = timoshenko_frequency(YOUNG, DENSITY, HEIGHT, THICKNESS)
+    frequency = measured_frequency(run["Time (s)"], run["tip x (m)"])
+    print(f"  frequency {frequency:.4f} Hz; beam with shear and rotary inertia {timoshenko:.4f} Hz, without {bernoulli:.4f} Hz")
+    check.near("first frequency of the barrier", frequency, timoshenko, 0.01)
+    energy = run["Solid kinetic energy (J)"] + run["Solid elastic energy (J)"]
+    check.below("energy over ten periods", np.ptp(energy) / energy[0], 1e-3)
+
+    # A slender one, to which the theory without shear applies.
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/Solid 1/Box=0, 0 : 0.003, 0.08",
+                             "Solids/Solid 1/Elements=1, 20", "Solids/Solid 1/Clamped=0, 0 : 0.003, 0",
+                             "Postprocess/Solid points/Points=tip: 0, 0.08", "End time=3", "Time step=4e-3"))
+    check.near("first frequency of a slender barrier", measured_frequency(run["Time (s)"], run["tip x (m)"]),
+               timoshenko_frequency(YOUNG, DENSITY, HEIGHT, 0.003)[1], 0.01)
+
+
+def test_flight(check):
+    for law in ("hypoelastic", "neo-Hookean"):
+        run = read_run(check.run("elastic_solids/flying_block.prm", f"Solids/Solid 1/Law={law}"))
+        time = run["Time (s)"]
+        # The rule is exact for constant acceleration; the node in the middle vibrates a little about the centre of mass.
+        path = np.hypot(run["centre x (m)"] - time, run["centre y (m)"] - (2. * time - 4.905 * time**2))
+        check.below(f"{law}, path of the centre (m)", path.max(), 1e-6)
+        energy = sum(run[f"Solid {kind} energy (J)"] for kind in ("kinetic", "potential", "elastic"))
+        spin = 0.5 * 1000. * 100. * 0.1 * 0.04 * (0.1**2 + 0.04**2) / 12.
+        check.below(f"{law}, energy over that of the spin", np.ptp(energy) / spin, 2e-3)
+
+
+def test_hydrostatic_wall(check):
+    young, thickness, depth, weight = 1e8, 0.01, 0.1, 9810.
+    stiffness = young * thickness**3 / 12.
+    bottom = weight * depth
+    level = bottom * depth**4 / (30. * stiffness) + bottom * depth**2 / (6. * SHEAR_FACTOR * 0.5 * young * thickness)
+    forces = []
+    for h, n in ((0.01, 12), (0.005, 24)):
+        run = read_run(check.run("elastic_solids/hydrostatic_wall.prm", f"Mesh size={h}",
+                                 f"Solids/Solid 1/Elements=1, {n}"))
+        forces.append(-run["Solid 1 support force x (N)"][-1])
+    check.near("deflection at the water's level", run["level x (m)"][-1], level, 0.01)
+    print(f"  force {forces[0]:.2f} and {forces[1]:.2f} N; without the cell in the corner below, first order in h")
+    check.near("force on the wall, extrapolated", 2. * forces[1] - forces[0], 0.5 * bottom * depth, 0.01)
+    check.below("support and fluid balance (N)", abs(forces[1] - run["Solid 1 fluid force x (N)"][-1]), 0.05)
+
+
+def main():
+    check = Check(__doc__)
+    for test in (test_cantilever, test_pressure, test_vibration, test_flight, test_hydrostatic_wall):
+        test(check)
+    check.finish()
+
+
+run_check(main)
