@@ -192,7 +192,7 @@ namespace
 
 
 
-  /// The number of solids that the case asks for; what else is wrong with the input shows later.
+  /// How many solids the case counts or describes; what is wrong with the input shows later.
   unsigned int count_solids(const CommandLine &line)
   {
     Parameters prm;
@@ -206,7 +206,14 @@ namespace
         if (text.find("Number of solids") != std::string::npos)
           override_entry(prm, text);
       prm.enter_subsection("Solids");
-      return prm.get_count("Number of solids", 0, Solids<2>::maximum);
+      unsigned int n_solids = prm.get_count("Number of solids", 0, Solids<2>::maximum);
+      std::ifstream text(line.file_name);
+      for (std::string word, number; text >> word;)
+        if (word == "subsection" && text >> word && word == "Solid" && text >> number &&
+            number.find_first_not_of("0123456789") == std::string::npos && number.size() < 4)
+          n_solids = std::max<unsigned int>(n_solids,
+                                            std::min<unsigned int>(std::stoi(number), Solids<2>::maximum));
+      return n_solids;
     }
     catch (const std::exception &)
     {

@@ -54,13 +54,20 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    warnings = solids.create(parameters.mesh_size);
+    warnings = solids.create(parameters.mesh_size, geometry.has_fluid() || gravity.norm() > 0.);
     solids.append_particles(parameters.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
     set_initial_velocities();
     slip_condition.initialize(particles);
-    remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, fluid_mesh);
+    try
+    {
+      remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, fluid_mesh);
+    }
+    catch (const RunError &error)
+    {
+      throw InputError(std::string("Initial mesh: ") + error.what() + ".");
+    }
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     if (geometry.has_fluid() && fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +

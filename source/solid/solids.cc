@@ -2,6 +2,7 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <lahar/boundary/walls.h>
 #include <lahar/solid/solids.h>
 
 #include <algorithm>
@@ -23,9 +24,10 @@ namespace Lahar
   void Solids<dim>::declare_parameters(Parameters &prm, const unsigned int n_bodies)
   {
     prm.enter_subsection("Solids");
-    prm.declare_entry("Number of solids", "0", Patterns::Anything(),
-                      "Number of elastic solids, 0 to " + std::to_string(maximum) +
-                        "; each has a subsection 'Solid 1', 'Solid 2' ...");
+    prm.declare_entry(
+      "Number of solids", "0", Patterns::Anything(),
+      "Number of elastic solids, 0 to " + std::to_string(maximum) +
+        "; each has a subsection 'Solid 1', 'Solid 2' ...; further subsections count for nothing.");
     prm.declare_entry(
       "Degree", "2", Patterns::Anything(),
       "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
@@ -62,7 +64,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<std::string> Solids<dim>::create(const double h)
+  std::vector<std::string> Solids<dim>::create(const double h, const bool is_loaded)
   {
     std::vector<std::string> warnings;
     solid_mesh = std::make_unique<SolidMesh<dim>>(degree);
@@ -76,6 +78,8 @@ namespace Lahar
     const SolidMesh<dim> &mesh = *solid_mesh;
     const unsigned int n       = mesh.n_nodes();
     tolerance                  = 1e-6 * h;
+
+    check_contour();
 
     present.position.resize(n);
     present.velocity.resize(n);
@@ -118,6 +122,12 @@ namespace Lahar
           throw InputError("Parameter '" + part->path + "' holds no part of the contour of " +
                            bodies[b].name +
                            ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (!is_loaded && n_clamped[b] + n_driven[b] + n_loaded[b] == 0)
+        warnings.push_back(
+          "Warning: " + bodies[b].name +
+          " is neither clamped, driven nor loaded, and there is no fluid and no gravity: only "
+          "its initial velocity moves it.");
 
     double widest = 0.;
     for (const auto &facet : mesh.contour())
@@ -132,6 +142,40 @@ namespace Lahar
       warnings.push_back(text.str());
     }
     return warnings;
+  }
+
+
+
+  template <int dim>
+  void Solids<dim>::check_contour() const
+  {
+    std::vector<WallFacet<dim>> facets;
+    for (const auto &nodes : solid_mesh->contour())
+    {
+      WallFacet<dim> facet;
+      for (unsigned int v = 0; v < dim; ++v)
+        facet.corners[v] = solid_mesh->reference_position(nodes[v]);
+      facets.push_back(facet);
+    }
+    const Walls<dim> contour(facets);
+    for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
+    {
+      const Point<dim> &point = solid_mesh->reference_position(i);
+      for (const unsigned int f : contour.near(point, tolerance))
+      {
+        const auto &nodes = solid_mesh->contour()[f];
+        if (std::find(nodes.begin(), nodes.end(), i) != nodes.end() ||
+            std::abs(contour.signed_distance(f, point)) > tolerance || !contour.is_above(f, point, tolerance))
+          continue;
+        const unsigned int a = solid_mesh->body_of_node(i), b = solid_mesh->body_of_node(nodes[0]);
+        std::ostringstream message;
+        message << (a == b ? bodies[a].name + " has a hanging node"
+                           : bodies[a].name + " touches " + bodies[b].name)
+                << " at (" << point
+                << ") m. Allowed: solids apart from each other, whose elements share whole edges and faces.";
+        throw InputError(message.str());
+      }
+    }
   }
 
 

@@ -139,6 +139,32 @@ def test_refused():
     wrong("Geometry/Mesh file", "", "groups", more=set_entry("Geometry/Fluid groups", "fluid"))
     refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *set_entry("Geometry/Mesh file", "case.prm"))
 
+    # Solids.
+    def solid(*settings):
+        return [word for setting in ("Number of solids=1", *settings)
+                for word in ("--set", "Solids/" + setting.replace("S/", "Solid 1/"))]
+
+    box = "S/Box=0.2, 0 : 0.25, 0.1"
+    wrong("Solids/Number of solids", "101")
+    wrong("Solids/Degree", "3")
+    wrong("Solids/Solid 1/hypoelastic/Poisson's ratio", "0.5", "below 0.5", more=solid(box))
+    wrong("Solids/Solid 1/hypoelastic/Young's modulus", "-1", more=solid(box))
+    wrong("Solids/Solid 1/Law", "rubber", "hypoelastic", "neo-Hookean", more=solid(box))
+    wrong("Solids/Solid 1/Elements", "2, 0", "2 whole numbers", more=solid(box))
+    wrong("Solids/Solid 1/Clamped", "1, 1 : 1, 2", "no part of the contour", more=solid(box))
+    wrong("Solids/Solid 1/Traction", "1", "functions", more=solid(box))
+    refused("solid without a shape", ["Solids/Solid 1/Box", "Solids/Solid 1/Mesh file", "empty"], *solid())
+    refused("solid over the fluid", ["Geometry/Fluid boxes", "overlaps a solid"],
+            *solid("S/Box=0.1, 0 : 0.25, 0.1"))
+    refused("fluid over a whole solid", ["overlaps a solid"], *solid("S/Box=0.05, 0.05 : 0.1, 0.1"))
+    refused("wall through a solid", ["Geometry/No-slip walls", "overlaps a solid"], *solid("S/Box=0.2, -0.1 : 0.25, 0.1"))
+    refused("solids that touch", ["Solid 1 touches Solid 2", "Allowed"], "--set", "Solids/Number of solids=2", "--set",
+            "Solids/Solid 1/Box=0.2, 0 : 0.25, 0.1", "--set", "Solids/Solid 2/Box=0.25, 0 : 0.3, 0.1")
+    refused("missing mesh of a solid", ["nowhere.msh"], *solid("S/Mesh file=nowhere.msh"))
+    refused("unknown group of a solid", ["'wood'", "'fluid'"], *solid("S/Mesh file=" + MESH, "S/Group=wood"))
+    refused("gauge outside the solids", ["Postprocess/Solid points/Points", "tip", "Allowed"], *solid(box), "--set",
+            "Postprocess/Solid points/Points=tip: 0.5, 0.5")
+
     # The parameter file.
     refused("unknown entry", ["case.prm", "Density of states"], text=GOOD + "set Density of states = 1\n")
     refused("unknown subsection", ["case.prm", "Fluids"], text=GOOD + "subsection Fluids\nend\n")
@@ -206,6 +232,11 @@ def test_printed():
         check("printed parameters can be read", result.returncode == 0, result.stderr)
         result = run(directory, "case.prm", "--check")
         check("--check", result.returncode == 0 and "Fluid cells" in result.stdout, result)
+        result = run(directory, "case.prm", "--check", "--set", "Solids/Number of solids=1", "--set",
+                     "Solids/Solid 1/Box=0.2, 0 : 0.4, 0.4", "--set", "Solids/Solid 1/Elements=1, 1")
+        check("a solid's contour that is too coarse is reported",
+              result.returncode == 0 and "Warning" in result.stdout and "0.2" in result.stdout and "0.03" in result.stdout,
+              result)
         check("--check writes nothing", os.listdir(directory) == ["case.prm"])
 
 

@@ -26,7 +26,7 @@ namespace Lahar
     {
       std::vector<Box<dim>> where;
       std::shared_ptr<FunctionParser<dim>> function;
-      std::string path; ///< of the entry with the boxes
+      std::string path, text; ///< of the entry with the boxes
 
       bool contains(const Point<dim> &point, const double tolerance) const;
 

@@ -31,10 +31,12 @@ namespace Lahar
 
     /**
      * Make mesh and state. @param h the fluid's mesh size, m.
-     * @throws InputError if a part of the contour that is named holds nothing.
-     * @return warnings for the user.
+     * @throws InputError if a part of the contour that is named holds nothing, if elements do not fit together (a node of
+     * the contour on a face of another element), if solids touch.
+     * @return warnings for the user: coarse contours, and solids on which nothing acts. @p is_loaded: there is fluid or
+     * gravity.
      */
-    std::vector<std::string> create(const double h);
+    std::vector<std::string> create(const double h, const bool is_loaded);
 
     /// Append the contour's particles to an empty cloud.
     void append_particles(const double h, ParticleCloud<dim> &cloud) const;
@@ -93,6 +95,8 @@ namespace Lahar
     }
 
   private:
+    void check_contour() const;
+
     std::vector<SolidBody<dim>> bodies;
     unsigned int degree = 2;
     double gamma        = 0.5;
