@@ -84,10 +84,12 @@ namespace Lahar
   {
     name = new_name;
     shape.parse_parameters(prm);
-    clamped = {parse_boxes<dim>(prm, "Clamped"), nullptr, prm.path("Clamped")};
-    driven  = {parse_boxes<dim>(prm, "Driven"), parse_function<dim>(prm, "Driving velocity"),
-               prm.path("Driven")};
-    loaded  = {parse_boxes<dim>(prm, "Loaded"), parse_function<dim>(prm, "Traction"), prm.path("Loaded")};
+    const auto prescribed = [&prm](const std::string &where, std::shared_ptr<FunctionParser<dim>> function) {
+      return Prescribed{parse_boxes<dim>(prm, where), std::move(function), prm.path(where), prm.get(where)};
+    };
+    clamped          = prescribed("Clamped", nullptr);
+    driven           = prescribed("Driven", parse_function<dim>(prm, "Driving velocity"));
+    loaded           = prescribed("Loaded", parse_function<dim>(prm, "Traction"));
     initial_velocity = parse_function<dim>(prm, "Initial velocity");
     law              = SolidLaw::create(prm);
   }

@@ -119,8 +119,8 @@ namespace Lahar
            {std::make_pair(&bodies[b].clamped, n_clamped[b]), std::make_pair(&bodies[b].driven, n_driven[b]),
             std::make_pair(&bodies[b].loaded, n_loaded[b])})
         if (!part->where.empty() && count == 0)
-          throw InputError("Parameter '" + part->path + "' holds no part of the contour of " +
-                           bodies[b].name +
+          throw InputError("Parameter '" + part->path + "' is '" + part->text +
+                           "', which holds no part of the contour of " + bodies[b].name +
                            ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (!is_loaded && n_clamped[b] + n_driven[b] + n_loaded[b] == 0)
