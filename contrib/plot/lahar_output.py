@@ -114,12 +114,13 @@ def to_array(words):
 # ----------------------------------------------------------------------------------------------------- snapshots
 
 
-def read_pvd(path):
-    """The snapshots of a .pvd file, a list of (time in s, path) in the order of time."""
+def read_pvd(path, part=0):
+    """The snapshots of a .pvd file, a list of (time in s, path) in the order of time: part 0 is the fluid, 1 the solids."""
     entries = parse_xml(path).iter("DataSet")
     folder = pathlib.Path(path).parent
     try:
-        return sorted((float(entry.get("timestep")), folder / entry.get("file")) for entry in entries)
+        return sorted((float(entry.get("timestep")), folder / entry.get("file")) for entry in entries
+                      if int(entry.get("part", 0)) == part)
     except (TypeError, ValueError):
         raise OutputError(f"{path}: a DataSet without time or file name") from None
 

@@ -161,6 +161,11 @@ def draw_outline(axes, mesh):
     axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5, capstyle="round"))
 
 
+def draw_solids(axes, mesh):
+    axes.add_patch(PathPatch(union(mesh.points[mesh.triangles]), facecolor="#D55E00", linewidth=0, zorder=3))
+    draw_outline(axes, mesh)
+
+
 def draw_walls(axes, walls):
     for wall in walls:
         if wall.is_closed:
@@ -202,6 +207,7 @@ def draw(arguments):
     snapshots = choose_snapshots(arguments.directory, arguments.times)
     walls = parse_walls(arguments.walls) if arguments.walls else read_walls(arguments.directory / "parameters.prm")
     meshes = [read_vtu(path) for _, path in snapshots]
+    solids = {time: read_vtu(path) for time, path in read_pvd(arguments.directory / "solution.pvd", 1)}
     all_values = [field_values(mesh, arguments.field) for mesh in meshes]
     norm = color_scale(all_values, arguments.field, arguments.log)
     limits = view(meshes, walls, arguments.limits)
@@ -212,6 +218,8 @@ def draw(arguments):
         image = draw_field(panel, mesh, values, norm)
         has_unyielded |= draw_unyielded(panel, mesh)
         draw_outline(panel, mesh)
+        if time in solids:
+            draw_solids(panel, solids[time])
         draw_walls(panel, walls)
         panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:], title=f"$t$ = {time:.4g} s")
     label_axes(axes, len(meshes))

@@ -224,11 +224,17 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::assemble(const Linearization &linearization)
   {
-    TimerOutput::Scope scope(timer, "Assemble");
-    if (!assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system))
-      throw RunError("a simplex is inverted");
-    if (!solid.assemble(gravity, system))
-      throw RunError("an element of a solid is inverted");
+    {
+      TimerOutput::Scope scope(timer, "Assemble");
+      if (!assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system))
+        throw RunError("a simplex is inverted");
+    }
+    if (solid.nodes_per_cell() > 0)
+    {
+      TimerOutput::Scope scope(timer, "Assemble solids");
+      if (!solid.assemble(gravity, system))
+        throw RunError("an element of a solid is inverted");
+    }
     if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
       throw RunError("the residual is not a finite number");
   }
