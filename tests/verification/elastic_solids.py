@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""V8, V9 and V2 of elastic solids: cantilevers, vibrations, free flight, and a wall under hydrostatic load."""
+"""V8, V9 and V2 of elastic solids: cantilevers, vibrations, free flight, a wall under hydrostatic load, a floating block."""
 
 import numpy as np
 
@@ -111,9 +111,21 @@ def test_hydrostatic_wall(check):
     check.below("support and fluid balance (N)", abs(forces[1] - run["Solid 1 fluid force x (N)"][-1]), 0.05)
 
 
+def test_floating_block(check):
+    run = read_run(check.run("elastic_solids/floating_block.prm"))
+    weight, height, length, width, h = 500. * 0.1 * 0.05 * 9.81, 0.05, 0.1, 0.4, 0.01
+    force = run["Solid 1 fluid force y (N)"][-50:]
+    check.near("buoyancy of a floating block against its weight", force.mean(), weight, 0.01)
+    # The fluid's volume (and the two corners without a cell) and half of the block fill the tank up to the level.
+    level = (run["Fluid volume (m^dim)"][-1] + 2. * 0.5 * h**2 + 0.5 * length * height) / width
+    draught = level - (0.225 + run["centre y (m)"][-1] - 0.5 * height)
+    check.near("its draught", draught, 0.5 * height, 0.05)
+
+
 def main():
     check = Check(__doc__)
-    for test in (test_cantilever, test_pressure, test_vibration, test_flight, test_hydrostatic_wall):
+    for test in (test_cantilever, test_pressure, test_vibration, test_flight, test_hydrostatic_wall,
+                 test_floating_block):
         test(check)
     check.finish()
 
