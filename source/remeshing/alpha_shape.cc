@@ -14,6 +14,8 @@ namespace Lahar
     constexpr double closing_gap = 0.15;
     /// … or where the simplex in the gap loses this part of its volume within the next step.
     constexpr double closing_shrinkage = 0.7;
+    /// A hollow of one free surface closes only where the circumradius is below this times h.
+    constexpr double hollow_radius = 0.8;
     /// Fluid that has passed a dry wall particle spreads to it where the gap is below this times h.
     constexpr double spreading_gap = 0.6;
 
@@ -164,15 +166,15 @@ namespace Lahar
 
     if (crosses_wall<dim>(corners, h, walls))
       return Verdict::no_fluid;
-    // Three neighbours on a hollow surface make a flat simplex with a long edge: no gap between two bodies.
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
-    if (!touches_wall && size >= alpha * h)
+    const double shrinking  = shrinkage<dim>(simplex, corners, cloud);
+    if (!touches_wall &&
+        (size >= alpha * h || (old_domain.joins(simplex) && circumradius<dim>(corners) >= hollow_radius * h)))
       return Verdict::no_fluid;
 
-    const double gap       = gap_in<dim>(simplex, corners, cloud);
-    const double shrinking = shrinkage<dim>(simplex, corners, cloud);
+    const double gap = gap_in<dim>(simplex, corners, cloud);
     if ((shrinking >= 0. && gap < closing_gap * h) || shrinking * time_step > closing_shrinkage ||
         (size < alpha * h && gap < spreading_gap * h &&
          spreads_along_wall(simplex, corners, cloud, old_domain)))

@@ -57,6 +57,36 @@ namespace Lahar
 
 
   template <int dim>
+  bool OldDomain<dim>::share_cell(const unsigned int a, const unsigned int b) const
+  {
+    for (const unsigned int seed : {seeds[a].first, seeds[a].second})
+      if (seed != numbers::invalid_unsigned_int)
+        for (const unsigned int cell : cells_of[seed])
+          for (const unsigned int corner : cells[cell].corners)
+            if (corner == seeds[b].first || corner == seeds[b].second)
+              return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool OldDomain<dim>::joins(const Simplex<dim> &simplex) const
+  {
+    // Grow the set of corners that can be reached from the first one.
+    std::array<bool, dim + 1> reached = {};
+    reached[0]                        = true;
+    for (unsigned int pass = 0; pass < dim; ++pass)
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = 0; b <= dim; ++b)
+          if (reached[a] && !reached[b] && share_cell(simplex[a], simplex[b]))
+            reached[b] = true;
+    return std::find(reached.begin(), reached.end(), false) == reached.end();
+  }
+
+
+
+  template <int dim>
   bool OldDomain<dim>::contains(const Simplex<dim> &simplex, const Point<dim> &point) const
   {
     std::vector<unsigned int> first_ring;

@@ -37,6 +37,10 @@ namespace Lahar
              !cells_of[seeds[particle].first].empty();
     }
 
+    /// Whether the edges that its corners share with the last mesh join them all: then the simplex lies in a hollow of one
+    /// surface; else it bridges a gap between two.
+    bool joins(const Simplex<dim> &simplex) const;
+
     /**
      * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its corners
      * or in one of the cells around those.
@@ -52,6 +56,7 @@ namespace Lahar
     };
 
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;
+    bool share_cell(const unsigned int a, const unsigned int b) const;
 
     std::vector<Cell> cells;
     std::vector<std::vector<unsigned int>> cells_of; ///< by old index
