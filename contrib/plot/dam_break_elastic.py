@@ -143,15 +143,17 @@ def draw_mesh_convergence(series, finest, path):
             shade = 0.25 + 0.75 * np.log(results.run.h / 0.0018) / np.log(0.013 / 0.0018)
             plot_tip(axes, results, linewidth=1.1, color=plt.cm.viridis(1. - shade), label=f"h = {1e3 * results.run.h:g} mm")
         tip_axes(axes)
-        axes.set(title=label, ylim=(-2, 55))
+        axes.set(title=label, ylim=(-2, 68))
+        axes.legend(ncol=2, loc="upper left", fontsize=7, columnspacing=1)
         h = [results.run.h for results in all_results if results is not finest]
         error = [100 * abs(peak(results)[0] / peak(finest)[0] - 1) for results in all_results if results is not finest]
         panels[-1].plot(1e3 * np.array(h), error, "o-", color=color, label=label)
     panels[-1].axhline(10, color="0.6", linewidth=0.8, linestyle=":")
-    panels[-1].text(0.02, 10.3, "the paper at h = 4 mm", transform=panels[-1].get_yaxis_transform(), fontsize=7, color="0.4")
+    panels[-1].text(0.98, 10.5, "the paper at h = 4 mm", transform=panels[-1].get_yaxis_transform(), fontsize=7, color="0.4",
+                    horizontalalignment="right")
     panels[-1].set(xlabel="h (mm)", ylabel=f"difference from {finest.run.label}, {1e3 * finest.run.h:g} mm (%)",
                    title="largest deflection", ylim=(0, None))
-    panels[-1].legend()
+    panels[-1].legend(loc="upper left")
     save(figure, path)
     plt.close(figure)
 
