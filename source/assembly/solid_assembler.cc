@@ -12,7 +12,7 @@ namespace Lahar
     const unsigned int n = mesh.nodes_per_cell(), n_q = mesh.points_per_cell();
     FullMatrix<double> matrix(n * dim, n * dim);
     Vector<double> residual(n * dim);
-    std::vector<Tensor<1, dim>> g(n);
+    std::vector<Tensor<1, dim>> g(n), traction(n); // ∇N_I, σ ∇N_I
 
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
@@ -50,36 +50,34 @@ namespace Lahar
             for (unsigned int j = 0; j < dim; ++j)
               g[I][i] += inverse_F[j][i] * G[I][j];
           }
+        for (unsigned int I = 0; I < n; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+          {
+            traction[I][a] = 0.;
+            for (unsigned int k = 0; k < dim; ++k)
+              traction[I][a] += response.stress[a][k] * g[I][k];
+          }
 
         for (unsigned int I = 0; I < n; ++I)
         {
-          // σ g_I, and A contracted with g_I over its second index.
-          Tensor<1, dim> traction;
-          double contracted[dim][dim][dim] = {};
+          double contracted[dim][dim][dim] = {}; // A with g_I over its second index
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int k = 0; k < dim; ++k)
-            {
-              traction[a] += response.stress[a][k] * g[I][k];
               for (unsigned int b = 0; b < dim; ++b)
                 for (unsigned int l = 0; l < dim; ++l)
                   contracted[a][b][l] += response.tangent[a][k][b][l] * g[I][k];
-            }
           for (unsigned int a = 0; a < dim; ++a)
-            residual[I * dim + a] += volume * traction[a];
-          for (unsigned int J = 0; J < n; ++J)
-            for (unsigned int a = 0; a < dim; ++a)
-            {
-              double J_traction = 0.;
-              for (unsigned int k = 0; k < dim; ++k)
-                J_traction += response.stress[a][k] * g[J][k];
+          {
+            residual[I * dim + a] += volume * traction[I][a];
+            for (unsigned int J = 0; J < n; ++J)
               for (unsigned int b = 0; b < dim; ++b)
               {
-                double entry = traction[a] * g[J][b] - J_traction * g[I][b];
+                double entry = traction[I][a] * g[J][b] - traction[J][a] * g[I][b];
                 for (unsigned int l = 0; l < dim; ++l)
                   entry += contracted[a][b][l] * g[J][l];
                 matrix(I * dim + a, J * dim + b) += s_volume * entry;
               }
-            }
+          }
         }
       }
       system.add_solid(c, matrix, residual);

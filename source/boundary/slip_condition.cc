@@ -25,8 +25,8 @@ namespace Lahar
     const auto free_slot = std::find(slots.begin(), slots.end(), ParticleCloud<dim>::no_facet);
     if (free_slot == slots.end())
       return;
-    // A facet in the plane of those in contact adds no direction; in 3D, where facets of one plane meet, it would take the
-    // slot of one that does.
+    // A facet in the plane of those in contact adds no direction; in 3D, where facets of one plane meet, it would take
+    // the slot of one that does.
     const unsigned int n_fixed = constraint(particle, cloud).n_fixed;
     *free_slot                 = facet;
     if (constraint(particle, cloud).n_fixed == n_fixed)

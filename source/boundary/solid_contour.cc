@@ -10,6 +10,10 @@ namespace Lahar
     /// Distance from the contour at which particles are put, over their spacing.
     constexpr double clearance = 0.1;
 
+    /// A path that misses a facet by less than this times the spacing meets it: paths between facets must not slip
+    /// through.
+    constexpr double meeting_tolerance = 1e-3;
+
     template <int dim>
     std::vector<WallFacet<dim>> shapes_of(const std::vector<std::array<unsigned int, dim>> &facets,
                                           const std::vector<Point<dim>> &position)
@@ -171,6 +175,7 @@ namespace Lahar
     unsigned int n_put = 0;
     if (particles.empty())
       return n_put;
+    const Walls<dim> old_shapes(shapes_of<dim>(particles, old_position));
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
       if (cloud.kind[i] != ParticleKind::fluid)
@@ -186,19 +191,21 @@ namespace Lahar
       bool put = false;
       for (const unsigned int f : shapes.near(cloud.position[i], reach))
       {
-        const Walls<dim> old_facet(shapes_of<dim>({particles[f]}, old_position));
-        const double before = old_facet.signed_distance(0, old_position[i]);
+        const double before = old_shapes.signed_distance(f, old_position[i]);
         const double after  = shapes.signed_distance(f, cloud.position[i]);
         if (before < 0. || after >= 0.)
           continue;
-        // Where the particle meets the facet, in the facet's coordinates at the end of the step.
-        const double time        = before / (before - after);
-        const Point<dim> meeting = old_position[i] + time * (cloud.position[i] - old_position[i]);
-        WallFacet<dim> facet;
+        // Where the particle meets the plane of the facet, and whether that is on the facet.
+        const double time  = before / (before - after);
+        const auto on_path = [&](const unsigned int particle) {
+          return old_position[particle] + time * (cloud.position[particle] - old_position[particle]);
+        };
+        const Point<dim> meeting = on_path(i);
+        std::array<Point<dim>, dim> corners;
         for (unsigned int v = 0; v < dim; ++v)
-          facet.corners[v] = old_position[particles[f][v]] +
-                             time * (cloud.position[particles[f][v]] - old_position[particles[f][v]]);
-        if (Walls<dim>({facet}).is_above(0, meeting, 1e-6 * cloud.spacing[i]))
+          corners[v] = on_path(particles[f][v]);
+        const Point<dim> nearest = point_of<dim>(corners, nearest_shares(corners, meeting));
+        if (meeting.distance(nearest) < meeting_tolerance * cloud.spacing[i])
         {
           put_before(f, i, cloud);
           put = true;

@@ -1,10 +1,22 @@
 #include <lahar/geometry/box.h>
+#include <lahar/geometry/point_lists.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace Lahar
 {
+  template <int dim>
+  Box<dim>::Box(const Point<dim> &corner, const Point<dim> &opposite_corner)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      lower[d] = std::min(corner[d], opposite_corner[d]);
+      upper[d] = std::max(corner[d], opposite_corner[d]);
+    }
+  }
+
+
+
   template <int dim>
   bool Box<dim>::contains(const Point<dim> &point, const double tolerance) const
   {
@@ -25,24 +37,10 @@ namespace Lahar
     std::vector<Box<dim>> boxes;
     for (const std::string &text : split_list(prm.get(entry), ';'))
     {
-      const std::vector<std::string> corners = split_list(text, ':');
+      const std::vector<Point<dim>> corners = parse_points<dim>(prm, entry, text, allowed);
       if (corners.size() != 2)
         prm.throw_wrong_value(entry, allowed);
-      const auto first = split_list(corners[0], ','), second = split_list(corners[1], ',');
-      if (first.size() != dim || second.size() != dim)
-        prm.throw_wrong_value(entry, allowed);
-      Box<dim> box;
-      for (unsigned int d = 0; d < dim; ++d)
-        try
-        {
-          box.lower[d] = std::min(to_number(first[d]), to_number(second[d]));
-          box.upper[d] = std::max(to_number(first[d]), to_number(second[d]));
-        }
-        catch (const std::invalid_argument &)
-        {
-          prm.throw_wrong_value(entry, allowed);
-        }
-      boxes.push_back(box);
+      boxes.emplace_back(corners[0], corners[1]);
     }
     return boxes;
   }

@@ -1,36 +1,20 @@
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/point_lists.h>
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 
 namespace Lahar
 {
   namespace
   {
     /// "x, y : x, y : ..." as points.
-    std::vector<Point<2>> parse_points(const Parameters &prm, const std::string &entry,
-                                       const std::string &text)
+    std::vector<Point<2>> parse_list(const Parameters &prm, const std::string &entry, const std::string &text)
     {
-      const std::string allowed =
-        "lists of points 'x, y : x, y : ...' separated by ';', lengths in m (found '" + text + "')";
-      std::vector<Point<2>> points;
-      for (const std::string &piece : split_list(text, ':'))
-      {
-        const std::vector<std::string> numbers = split_list(piece, ',');
-        if (numbers.size() != 2)
-          prm.throw_wrong_value(entry, allowed);
-        try
-        {
-          points.emplace_back(to_number(numbers[0]), to_number(numbers[1]));
-        }
-        catch (const std::invalid_argument &)
-        {
-          prm.throw_wrong_value(entry, allowed);
-        }
-      }
-      return points;
+      return parse_points<2>(prm, entry, text,
+                             "lists of points 'x, y : x, y : ...' separated by ';', lengths in m (found '" +
+                               text + "')");
     }
 
     std::string numbered(const Parameters &prm, const std::string &entry, const unsigned int number)
@@ -101,7 +85,7 @@ namespace Lahar
     unsigned int number = 0;
     for (const std::string &text : split_list(prm.get("Fluid boxes"), ';'))
     {
-      const std::vector<Point<2>> p = parse_points(prm, "Fluid boxes", text);
+      const std::vector<Point<2>> p = parse_list(prm, "Fluid boxes", text);
       if (p.size() != 2 || p[0][0] == p[1][0] || p[0][1] == p[1][1])
         prm.throw_wrong_value("Fluid boxes",
                               "two opposite corners with different x and different y for each box");
@@ -116,7 +100,7 @@ namespace Lahar
     number = 0;
     for (const std::string &text : split_list(prm.get("Fluid polygons"), ';'))
     {
-      Polygon polygon = parse_points(prm, "Fluid polygons", text);
+      Polygon polygon = parse_list(prm, "Fluid polygons", text);
       if (polygon.size() < 3 || is_self_intersecting(polygon) || signed_area(polygon) == 0.)
         prm.throw_wrong_value("Fluid polygons",
                               "at least three corners and edges that do not meet each other");
@@ -133,7 +117,7 @@ namespace Lahar
     unsigned int number = 0;
     for (const std::string &text : split_list(prm.get(entry), ';'))
     {
-      Line line{numbered(prm, entry, ++number), parse_points(prm, entry, text), false, slip};
+      Line line{numbered(prm, entry, ++number), parse_list(prm, entry, text), false, slip};
       if (line.corners.size() > 2 && line.corners.front() == line.corners.back())
       {
         line.closed = true;
@@ -327,8 +311,8 @@ namespace Lahar
     }
     walls = Walls<2>(facets);
 
-    // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a wall
-    // particle in the place of a fluid particle is wet.
+    // Two lines may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a
+    // wall particle in the place of a fluid particle is wet.
     std::vector<bool> wet(cloud.size(), false);
     const auto add = [&](const Point<2> &p, const ParticleKind kind, const double clearance) {
       bool is_free = true;

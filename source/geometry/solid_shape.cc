@@ -13,9 +13,10 @@ namespace Lahar
     prm.declare_entry("Box", "", Patterns::Anything(),
                       std::string("The solid as a box with the opposite corners ") +
                         (dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'") + ". Lengths in m.");
-    prm.declare_entry("Elements", "", Patterns::Anything(),
-                      std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
-                        " of a box, separated by commas; empty: as many as the mesh size asks for.");
+    prm.declare_entry(
+      "Elements", "", Patterns::Anything(),
+      std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
+        " of a box, 1 to 10000, separated by commas; empty: as many as the mesh size asks for.");
     prm.declare_entry(
       "Mesh file", "", Patterns::Anything(),
       "A gmsh file (.msh, ASCII, format 2.2 or 4.1) with the solid's mesh, instead of a box.");

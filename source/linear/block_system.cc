@@ -290,8 +290,8 @@ namespace Lahar
     {
       for (unsigned int a = 0; a < dim; ++a)
         solid_residuals[cell[I]][a] += residual[I * dim + a];
-      AssertThrow(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
-                  ExcNotImplemented());
+      Assert(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
+             ExcMessage("A solid's node is free or has its whole velocity prescribed."));
       if (constraints[cell[I]].n_fixed == dim)
         for (unsigned int a = 0; a < dim; ++a)
         {

@@ -86,7 +86,8 @@ namespace Lahar
 
   namespace
   {
-    /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the fluid.
+    /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the
+    /// fluid.
     template <int dim>
     unsigned int first_unknown(const BlockSystem<dim> &system, const unsigned int node)
     {
@@ -94,8 +95,8 @@ namespace Lahar
     }
 
     /**
-     * Go through the entries of a node's velocity rows in that order: @p velocity(k) is called for the k-th neighbour in
-     * the velocity graph, and after it @p pressure(l) if this is the l-th one in the graph of the pressures.
+     * Go through the entries of a node's velocity rows in that order: @p velocity(k) is called for the k-th neighbour
+     * in the velocity graph, and after it @p pressure(l) if this is the l-th one in the graph of the pressures.
      */
     template <int dim, typename Velocity, typename Pressure>
     void for_each_entry(const BlockSystem<dim> &system, const unsigned int node, const Velocity &velocity,

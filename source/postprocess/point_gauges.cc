@@ -1,15 +1,15 @@
+#include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
 #include <limits>
-#include <stdexcept>
 
 namespace Lahar
 {
   /**
-   * Pressure and velocity at points fixed in space, interpolated in the cell that holds the point; nan where there is no
-   * fluid.
+   * Pressure and velocity at points fixed in space, interpolated in the cell that holds the point; nan where there is
+   * no fluid.
    */
   template <int dim>
   class PointGauges : public Postprocessor<dim>
@@ -26,7 +26,7 @@ namespace Lahar
     void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
 
   private:
-    std::vector<std::pair<std::string, Point<dim>>> points;
+    std::vector<NamedPoints<dim>> points;
   };
 
 
@@ -34,25 +34,7 @@ namespace Lahar
   template <int dim>
   void PointGauges<dim>::parse_parameters(Parameters &prm)
   {
-    const std::string allowed = "'name: " + std::string(dim == 2 ? "x, y" : "x, y, z") + "' separated by ';'";
-    for (const std::string &text : split_list(prm.get("Points"), ';'))
-    {
-      const auto name_and_point = split_list(text, ':');
-      const auto numbers = name_and_point.size() == 2 ? split_list(name_and_point[1], ',') : name_and_point;
-      if (name_and_point.size() != 2 || name_and_point[0].empty() || numbers.size() != dim)
-        prm.throw_wrong_value("Points", allowed);
-      Point<dim> point;
-      try
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          point[d] = to_number(numbers[d]);
-      }
-      catch (const std::invalid_argument &)
-      {
-        prm.throw_wrong_value("Points", allowed);
-      }
-      points.emplace_back(name_and_point[0], point);
-    }
+    points = parse_named_points<dim>(prm, "Points", 1);
   }
 
 
@@ -60,9 +42,10 @@ namespace Lahar
   template <int dim>
   void PointGauges<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
-    for (const auto &[name, point] : points)
+    for (const auto &[name, place] : points)
     {
-      double pressure = std::numeric_limits<double>::quiet_NaN();
+      const Point<dim> &point = place[0];
+      double pressure         = std::numeric_limits<double>::quiet_NaN();
       Tensor<1, dim> velocity;
       for (unsigned int d = 0; d < dim; ++d)
         velocity[d] = pressure;

@@ -8,8 +8,8 @@ namespace Lahar
 {
   namespace
   {
-    /// The pieces of a cell by local nodes: deal.II numbers the middles of the edges after the corners, in 2D 01, 12, 20,
-    /// in 3D 01, 12, 20, 03, 13, 23.
+    /// The pieces of a cell by local nodes: deal.II numbers the middles of the edges after the corners, in 2D 01, 12,
+    /// 20, in 3D 01, 12, 20, 03, 13, 23.
     std::vector<std::array<unsigned int, 3>> pieces(const std::integral_constant<int, 2>,
                                                     const bool is_quadratic)
     {

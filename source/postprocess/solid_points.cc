@@ -1,8 +1,6 @@
+#include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
-
-#include <limits>
-#include <stdexcept>
 
 namespace Lahar
 {
@@ -42,27 +40,9 @@ namespace Lahar
   template <int dim>
   void SolidPoints<dim>::parse_parameters(Parameters &prm)
   {
-    path                      = prm.path("Points");
-    const std::string allowed = "'name: " + std::string(dim == 2 ? "x, y" : "x, y, z") + "' separated by ';'";
-    for (const std::string &text : split_list(prm.get("Points"), ';'))
-    {
-      const auto parts   = split_list(text, ':');
-      const auto numbers = parts.size() == 2 ? split_list(parts[1], ',') : parts;
-      if (parts.size() != 2 || parts[0].empty() || numbers.size() != dim)
-        prm.throw_wrong_value("Points", allowed);
-      MaterialPoint point;
-      point.name = parts[0];
-      for (unsigned int d = 0; d < dim; ++d)
-        try
-        {
-          point.reference[d] = to_number(numbers[d]);
-        }
-        catch (const std::invalid_argument &)
-        {
-          prm.throw_wrong_value("Points", allowed);
-        }
-      points.push_back(point);
-    }
+    path = prm.path("Points");
+    for (const auto &[name, place] : parse_named_points<dim>(prm, "Points", 1))
+      points.push_back({name, place[0], {}, {}});
   }
 
 

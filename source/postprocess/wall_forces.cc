@@ -1,7 +1,7 @@
+#include <lahar/geometry/box.h>
+#include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
-
-#include <stdexcept>
 
 namespace Lahar
 {
@@ -24,13 +24,7 @@ namespace Lahar
     void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
 
   private:
-    struct Box
-    {
-      std::string name;
-      Point<dim> lower, upper;
-    };
-
-    std::vector<Box> boxes;
+    std::vector<std::pair<std::string, Box<dim>>> boxes;
   };
 
 
@@ -38,31 +32,8 @@ namespace Lahar
   template <int dim>
   void WallForces<dim>::parse_parameters(Parameters &prm)
   {
-    const std::string allowed = dim == 2 ? "'name: x, y : x, y' separated by ';'"
-                                         : "'name: x, y, z : x, y, z' separated by ';'";
-    for (const std::string &text : split_list(prm.get("Boxes"), ';'))
-    {
-      const auto parts = split_list(text, ':');
-      if (parts.size() != 3 || parts[0].empty())
-        prm.throw_wrong_value("Boxes", allowed);
-      Box box{parts[0], {}, {}};
-      const auto first = split_list(parts[1], ','), second = split_list(parts[2], ',');
-      if (first.size() != dim || second.size() != dim)
-        prm.throw_wrong_value("Boxes", allowed);
-      try
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          box.lower[d] = std::min(to_number(first[d]), to_number(second[d]));
-          box.upper[d] = std::max(to_number(first[d]), to_number(second[d]));
-        }
-      }
-      catch (const std::invalid_argument &)
-      {
-        prm.throw_wrong_value("Boxes", allowed);
-      }
-      boxes.push_back(box);
-    }
+    for (const auto &[name, corners] : parse_named_points<dim>(prm, "Boxes", 2))
+      boxes.emplace_back(name, Box<dim>(corners[0], corners[1]));
   }
 
 
@@ -70,22 +41,19 @@ namespace Lahar
   template <int dim>
   void WallForces<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
-    for (const Box &box : boxes)
+    for (const auto &[name, box] : boxes)
     {
       Tensor<1, dim> force;
       for (unsigned int v = 0; v < snapshot.wall_forces.size(); ++v)
       {
         const unsigned int particle = snapshot.mesh.particle(v);
-        bool inside                 = snapshot.cloud.kind[particle] == ParticleKind::wall ||
-                      snapshot.cloud.on_slip_wall(particle);
-        for (unsigned int d = 0; d < dim; ++d)
-          inside = inside && snapshot.cloud.position[particle][d] >= box.lower[d] &&
-                   snapshot.cloud.position[particle][d] <= box.upper[d];
-        if (inside)
+        const bool is_on_wall       = snapshot.cloud.kind[particle] == ParticleKind::wall ||
+                                snapshot.cloud.on_slip_wall(particle);
+        if (is_on_wall && box.contains(snapshot.cloud.position[particle], 0.))
           force -= snapshot.wall_forces[v];
       }
       for (unsigned int d = 0; d < dim; ++d)
-        add_to_column(statistics, box.name + " force " + "xyz"[d] + " (N)", force[d]);
+        add_to_column(statistics, name + " force " + "xyz"[d] + " (N)", force[d]);
     }
   }
 

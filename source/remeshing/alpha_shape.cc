@@ -164,7 +164,10 @@ namespace Lahar
     if (old_domain.contains(simplex, centroid<dim>(corners)))
       return Verdict::stays_fluid;
 
-    if (crosses_wall<dim>(corners, h, walls))
+    const bool has_isolated = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
+      return cloud.kind[particle] == ParticleKind::fluid && !old_domain.was_wet(particle);
+    });
+    if (has_isolated || crosses_wall<dim>(corners, h, walls))
       return Verdict::no_fluid;
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;

@@ -54,7 +54,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    warnings = solids.create(parameters.mesh_size, geometry.has_fluid() || gravity.norm() > 0.);
+    warnings = solids.create(parameters.mesh_size, parameters.start_time,
+                             geometry.has_fluid() || gravity.norm() > 0.);
     solids.append_particles(parameters.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);

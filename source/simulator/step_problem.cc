@@ -88,24 +88,22 @@ namespace Lahar
     solid.get_velocities(velocities); // the prescribed ones
     set_node_velocities(velocities);
     // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
-    // v = −(Δt/s − 1) v_n, nothing is. A solid that is driven may leave them no room.
-    constexpr unsigned int n_attempts     = 4;
+    // v = −(Δt/s − 1) v_n, nothing is. Walls and solids keep their velocities; a driven solid may leave no room.
+    std::vector<double> motion(mesh->n_vertices(), 1.);
     const std::vector<double> old_volumes = volumes(state.old_position);
-    std::vector<unsigned int> n_shrunk(mesh->n_vertices(), 0);
-    for (unsigned int attempt = 0; attempt < n_attempts * n_attempts; ++attempt)
+    for (bool any_shorter = true; any_shorter;)
     {
-      const std::vector<unsigned int> shrinking = shrinking_vertices(old_volumes);
-      if (shrinking.empty())
-        break;
-      for (const unsigned int v : shrinking)
-        if (constraints[v].n_fixed < dim)
+      any_shorter = false;
+      for (const unsigned int v : shrinking_vertices(old_volumes))
+        if (constraints[v].n_fixed < dim && motion[v] > 0.)
         {
-          n_shrunk[v]         = std::min(n_attempts, n_shrunk[v] + 1);
-          const double motion = 1. - static_cast<double>(n_shrunk[v]) / n_attempts;
-          const double rest   = state.factors.time_step / state.position_factor[v] - 1.;
-          velocities[v]       = (motion * (1. + rest) - rest) * state.old_velocity[v];
+          any_shorter       = true;
+          motion[v]         = std::max(0., motion[v] - 0.25);
+          const double rest = state.factors.time_step / state.position_factor[v] - 1.;
+          velocities[v]     = (motion[v] * (1. + rest) - rest) * state.old_velocity[v];
         }
-      set_node_velocities(velocities);
+      if (any_shorter)
+        set_node_velocities(velocities);
     }
     set_norms();
   }

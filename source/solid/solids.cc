@@ -64,7 +64,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<std::string> Solids<dim>::create(const double h, const bool is_loaded)
+  std::vector<std::string> Solids<dim>::create(const double h, const double time, const bool is_loaded)
   {
     std::vector<std::string> warnings;
     solid_mesh = std::make_unique<SolidMesh<dim>>(degree);
@@ -104,8 +104,8 @@ namespace Lahar
         n_clamped[b] += clamped[i];
         n_driven[b] += driven[i];
       }
-      if (clamped[i])
-        present.velocity[i] = Tensor<1, dim>();
+      if (is_fixed(i))
+        present.velocity[i] = prescribed_velocity(i, time);
     }
     for (const auto &cell : mesh.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())

@@ -1,5 +1,5 @@
-// Test the film of a Bingham-Papanastasiou fluid that its weight drags along a floor (V3, half a plane Poiseuille flow):
-// surface speed, mean speed and order of convergence against quadrature of the exact profile.
+// Test the film of a Bingham-Papanastasiou fluid that its weight drags along a floor (V3, half a plane Poiseuille
+// flow): surface speed, mean speed and order of convergence against quadrature of the exact profile.
 
 #include "assembly/stokes.h"
 

@@ -40,7 +40,8 @@ namespace Tests
       assembler.set_stabilization(mesh, law, state);
     }
 
-    /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return iterations.
+    /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return
+    /// iterations.
     unsigned int solve(const ViscosityLinearization viscosity, const double tolerance,
                        const unsigned int max_iterations)
     {

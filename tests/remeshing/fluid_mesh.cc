@@ -1,5 +1,5 @@
-// Test the fluid's mesh: volume, boundary faces, numbering, motion, recognised connectivity and shape gradients; and the
-// particles' spacing: removal, insertion, and merging on the free surface without change of area.
+// Test the fluid's mesh: volume, boundary faces, numbering, motion, recognised connectivity and shape gradients; and
+// the particles' spacing: removal, insertion, and merging on the free surface without change of area.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>

@@ -83,6 +83,23 @@ def test_vibration(check):
                timoshenko_frequency(YOUNG, DENSITY, HEIGHT, 0.003)[1], 0.01)
 
 
+def test_driven_foot(check):
+    """A foot that is accelerated from rest: the tip lags behind by the deflection under the weight rho a."""
+    acceleration, period = 0.1, 1. / timoshenko_frequency(YOUNG, DENSITY, HEIGHT, THICKNESS)[0]
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/Solid 1/Clamped=",
+                             "Solids/Solid 1/Driven=0, 0 : 0.012, 0", "Solids/Solid 1/Initial velocity=1; 0",
+                             f"Solids/Solid 1/Driving velocity=1 + {acceleration}*t; 0",
+                             f"End time={6. * period:.6g}", f"Time step={period / 100.:.6g}",
+                             f"Output interval={6. * period:.6g}",
+                             "Postprocess/Solid points/Points=tip: 0.006, 0.08; foot: 0.006, 0"))
+    time = run["Time (s)"]
+    foot = time + 0.5 * acceleration * time**2
+    check.below("path of a driven foot (m)", np.abs(run["foot x (m)"] - foot).max(), 2e-9)  # nine digits are written
+    lag = (foot - run["tip x (m)"]).mean()  # over whole periods of the only mode of weight
+    check.near("lag of the tip of an accelerated barrier", lag,
+               beam_deflection(DENSITY * THICKNESS * acceleration, HEIGHT, THICKNESS, YOUNG), 0.01)
+
+
 def test_flight(check):
     for law in ("hypoelastic", "neo-Hookean"):
         run = read_run(check.run("elastic_solids/flying_block.prm", f"Solids/Solid 1/Law={law}"))
@@ -124,7 +141,7 @@ def test_floating_block(check):
 
 def main():
     check = Check(__doc__)
-    for test in (test_cantilever, test_pressure, test_vibration, test_flight, test_hydrostatic_wall,
+    for test in (test_cantilever, test_pressure, test_vibration, test_driven_foot, test_flight, test_hydrostatic_wall,
                  test_floating_block):
         test(check)
     check.finish()

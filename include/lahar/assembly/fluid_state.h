@@ -12,7 +12,8 @@ namespace Lahar
 {
   /**
    * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
-   * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in it.
+   * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in
+   * it.
    */
   template <int dim>
   struct FluidState

@@ -18,8 +18,8 @@ namespace Lahar
    *
    *   R_I = ∫ N_I ρ a + ∫ σ ∇N_I − ∫ N_I ρ g − ∫_Γ N_I T,
    *
-   * with the consistent mass matrix (∫ N_I N_J ρ does not change with time) and its whole derivative with respect to the
-   * velocities: s = ∂x/∂v, g_J = ∇N_J, A = ∂σ/∂(∇δu),
+   * with the consistent mass matrix (∫ N_I N_J ρ does not change with time) and its whole derivative with respect to
+   * the velocities: s = ∂x/∂v, g_J = ∇N_J, A = ∂σ/∂(∇δu),
    *
    *   K_Ia,Jb = ∂a/∂v δ_ab ∫ N_I N_J ρ + s ∫ A_akbl g_Ik g_Jl + s ∫ σ_ak (g_Ik g_Jb − g_Jk g_Ib).
    */

@@ -14,6 +14,8 @@ namespace Lahar
   template <int dim>
   struct Box
   {
+    Box(const Point<dim> &corner, const Point<dim> &opposite_corner);
+
     Point<dim> lower, upper;
 
     /// Whether @p point lies in the box enlarged by @p tolerance.

@@ -16,10 +16,11 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * The points and the physical groups of a plane gmsh mesh (ASCII, file format 2.2 or 4.1): what the cloud needs of it.
+   * The points and the physical groups of a plane gmsh mesh (ASCII, file format 2.2 or 4.1): what the cloud needs of
+   * it.
    *
-   * Lines of two nodes make curves, triangles and quadrilaterals of first order make surfaces; points are ignored, other
-   * elements are refused. An element belongs to all groups of its entity.
+   * Lines of two nodes make curves, triangles and quadrilaterals of first order make surfaces; points are ignored,
+   * other elements are refused. An element belongs to all groups of its entity.
    */
   class GmshFile
   {
@@ -32,7 +33,8 @@ namespace Lahar
     std::vector<Point<2>> nodes_of_surface(const std::string &group) const;
 
     /**
-     * The physical surface @p group as triangles: its nodes, and corner numbers in @p points. A quadrilateral counts as two.
+     * The physical surface @p group as triangles: its nodes, and corner numbers in @p points. A quadrilateral counts as
+     * two.
      * @throws InputError with the names that exist, or for a triangle without area.
      */
     void triangles_of_surface(const std::string &group, std::vector<Point<2>> &points,

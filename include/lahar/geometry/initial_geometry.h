@@ -18,8 +18,9 @@ namespace Lahar
    * Fluid bodies are rectangles, polygons and physical groups of a gmsh file; walls are polylines and physical groups.
    * Bodies are filled with particles at the mesh size, walls without slip carry particles at the same distance. Where a
    * body's corner lies on a wall, the wall has a particle there, so that a level surface meets the wall at its height.
-   * A fluid particle that would coincide with a wall particle gives way to it, and both to a solid's. Where a wall passes
-   * along a solid's contour, it has no particles; the first ones beside the solid stand at their usual distance from it.
+   * A fluid particle that would coincide with a wall particle gives way to it, and both to a solid's. Where a wall
+   * passes along a solid's contour, it has no particles; the first ones beside the solid stand at their usual distance
+   * from it.
    */
   class InitialGeometry
   {
@@ -27,8 +28,8 @@ namespace Lahar
     /// Declare the entries of subsection "Geometry".
     static void declare_parameters(Parameters &prm);
 
-    /// Read subsection "Geometry". @throws InputError for a text that is no list of points, for an unknown file, or, unless
-    /// there are solids, if there is no fluid.
+    /// Read subsection "Geometry". @throws InputError for a text that is no list of points, for an unknown file, or,
+    /// unless there are solids, if there is no fluid.
     void parse_parameters(Parameters &prm, const bool has_solids);
 
     bool has_fluid() const

@@ -39,12 +39,13 @@ namespace Lahar
    * pressure unknown i of block 1. In all four blocks the columns of a row follow a nodal graph, so the place of an
    * entry is computed, not searched for: add() costs one table lookup per pair of nodes.
    *
-   * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the two
-   * share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow graph(),
-   * which has the fluid's.
+   * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the
+   * two share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow
+   * graph(), which has the fluid's.
    *
    * Prescribed components are eliminated while cells are added: their rows and columns stay empty but for the diagonal,
-   * their right-hand side is zero (increments keep prescribed values). Nodes with a skew frame have their unknowns in it.
+   * their right-hand side is zero (increments keep prescribed values). Nodes with a skew frame have their unknowns in
+   * it.
    */
   template <int dim>
   class BlockSystem
@@ -58,8 +59,8 @@ namespace Lahar
     explicit BlockSystem(const MPI_Comm &communicator);
 
     /**
-     * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for the
-     * @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own.
+     * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
+     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
                 const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
@@ -79,7 +80,11 @@ namespace Lahar
              const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
              const std::array<double, n_corners * n_corners> &residual);
 
-    /// Add matrix and residual of solid cell @p c; local unknown (I, component) has the index I dim + component.
+    /**
+     * Add @p matrix and @p residual of solid cell @p c; local unknown (I, component) has the index I dim + component.
+     * The nodes of solids have none or all of their components prescribed; those are eliminated in the
+     * arguments, too.
+     */
     void add_solid(const unsigned int c, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
 
     /// Add a force of a node, to residual and solid_residual().

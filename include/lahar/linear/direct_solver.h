@@ -16,8 +16,8 @@ namespace Lahar
    * Sparse factorisation of the whole system (Amesos: MUMPS or KLU), the unknowns of a node side by side.
    *
    * A factorisation serves as long as it is a good preconditioner: the next systems of the same pattern are solved by
-   * GMRES, preconditioned from the left by the last factorisation, until that takes more than a few iterations; then the
-   * matrix at hand is factorised. The tolerance is measured in the preconditioned residual, with velocity and
+   * GMRES, preconditioned from the left by the last factorisation, until that takes more than a few iterations; then
+   * the matrix at hand is factorised. The tolerance is measured in the preconditioned residual, with velocity and
    * pressure divided by their scales: it bounds the relative error of the increments that the nonlinear scheme checks.
    */
   template <int dim>

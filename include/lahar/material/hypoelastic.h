@@ -13,8 +13,8 @@ namespace Lahar
    *
    *   σ = R σ_n Rᵀ + c : D,   R = (1 − W/2)⁻¹ (1 + W/2).
    *
-   * A rigid rotation makes D = 0 and R that rotation, whatever its size. The stress depends on the path; energy_density()
-   * is σ : c⁻¹ : σ/2, exact for small strains.
+   * A rigid rotation makes D = 0 and R that rotation, whatever its size. The stress depends on the path;
+   * energy_density() is σ : c⁻¹ : σ/2, exact for small strains.
    */
   class Hypoelastic : public SolidLaw
   {

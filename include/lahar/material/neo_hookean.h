@@ -6,8 +6,8 @@
 namespace Lahar
 {
   /**
-   * Compressible neo-Hookean solid with the energy per undeformed volume (Simo & Hughes, Computational Inelasticity, 1998,
-   * Section 9.2)
+   * Compressible neo-Hookean solid with the energy per undeformed volume (Simo & Hughes, Computational Inelasticity,
+   * 1998, Section 9.2)
    *
    *   Ψ = G/2 (J^{−2/3} tr b − 3) + κ/2 ((J² − 1)/2 − ln J),   b = F Fᵀ, J = det F,
    *   σ = G J^{−5/3} dev b + κ/2 (J − 1/J) 1.

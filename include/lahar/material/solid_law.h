@@ -11,8 +11,8 @@
 namespace Lahar
 {
   /**
-   * An elastic solid: the Cauchy stress at the end of a step from the deformation gradients F = ∂x/∂X at its start and end
-   * and the stress at its start.
+   * An elastic solid: the Cauchy stress at the end of a step from the deformation gradients F = ∂x/∂X at its start and
+   * end and the stress at its start.
    *
    * All tensors are three-dimensional; in plane strain F has the out-of-plane component 1.
    */

@@ -11,7 +11,8 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// What a particle is: it moves with the fluid, it rests on a rigid no-slip wall, or it is a node of a solid's contour.
+  /// What a particle is: it moves with the fluid, it rests on a rigid no-slip wall, or it is a node of a solid's
+  /// contour.
   enum class ParticleKind : unsigned char
   {
     fluid,
@@ -50,8 +51,8 @@ namespace Lahar
     unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing);
 
     /**
-     * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, acceleration, pressure,
-     * its rate and spacing are their means; it slides on the slip facets that both share. Return its index.
+     * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, acceleration,
+     * pressure, its rate and spacing are their means; it slides on the slip facets that both share. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
 

@@ -32,8 +32,8 @@ namespace Lahar
   /**
    * Adds columns to the line that each step writes to the statistics.
    *
-   * A model of this kind registers itself with Factory<Postprocessor<dim>>; its parameters stand in the subsection of its
-   * name in "Postprocess". Every model is there in every run; without entries it adds no columns.
+   * A model of this kind registers itself with Factory<Postprocessor<dim>>; its parameters stand in the subsection of
+   * its name in "Postprocess". Every model is there in every run; without entries it adds no columns.
    */
   template <int dim>
   class Postprocessor

@@ -12,8 +12,8 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * Tells people how the run goes: one line a step, into the file `log` and, if the standard output is a terminal, on the
-   * screen; what matters once goes to both in any case.
+   * Tells people how the run goes: one line a step, into the file `log` and, if the standard output is a terminal, on
+   * the screen; what matters once goes to both in any case.
    */
   class Progress
   {

@@ -10,11 +10,12 @@
 namespace Lahar
 {
   /**
-   * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView. Solids have files
-   * of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part.
+   * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView. Solids have
+   * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part.
    *
-   * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate, effective_viscosity,
-   * yielded. Files are written under a temporary name first, so that each that has its final name is complete.
+   * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate,
+   * effective_viscosity, yielded. Files are written under a temporary name first, so that each that has its final name
+   * is complete.
    */
   template <int dim>
   class Visualization

@@ -37,13 +37,13 @@ namespace Lahar
              !cells_of[seeds[particle].first].empty();
     }
 
-    /// Whether the edges that its corners share with the last mesh join them all: then the simplex lies in a hollow of one
-    /// surface; else it bridges a gap between two.
+    /// Whether the edges that its corners share with the last mesh join them all: then the simplex lies in a hollow of
+    /// one surface; else it bridges a gap between two.
     bool joins(const Simplex<dim> &simplex) const;
 
     /**
-     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its corners
-     * or in one of the cells around those.
+     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its
+     * corners or in one of the cells around those.
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 

@@ -14,10 +14,11 @@ namespace Lahar
   /**
    * Keeps the distance of neighbouring particles near the spacing h.
    *
-   * Edges of the mesh shorter than c_min h lose a fluid particle: the inner one of the two, so that the domain keeps its
-   * shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so that the
-   * area under the surface stays. Particles nearer to a no-slip wall than h/10 go: Delaunay simplices between them and
-   * the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h get a particle in their middle.
+   * Edges of the mesh shorter than c_min h lose a fluid particle: the inner one of the two, so that the domain keeps
+   * its shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so
+   * that the area under the surface stays. Particles nearer to a no-slip wall than h/10 go: Delaunay simplices between
+   * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
+   * get a particle in their middle.
    */
   template <int dim>
   class ParticleSpacing

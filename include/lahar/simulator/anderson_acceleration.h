@@ -15,7 +15,8 @@ namespace Lahar
    *
    *   x_{k+1} = g(x_k) − Σ_j c_j Δg_j,   c minimises | W (f_k − Σ_j c_j Δf_j) |,   W diagonal.
    *
-   * For a linear g this is GMRES, restricted to a few directions (Walker & Ni, SIAM J. Numer. Anal. 49 (2011) 1715–1735).
+   * For a linear g this is GMRES, restricted to a few directions (Walker & Ni, SIAM J. Numer. Anal. 49 (2011)
+   * 1715–1735).
    */
   class AndersonAcceleration
   {

@@ -29,9 +29,9 @@ namespace Lahar
    *   geometry are left out while they would flatten cells, and a step that overshoots,
    *   as the work of the residual along the increment tells, is shortened by a line search.
    * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q,
-   *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo bulk
-   *   modulus in K; with S no such parameter is needed. In plugs diag(K)⁻¹ says little about K⁻¹: only a part of the
-   *   viscosity enters it, and without the acceleration the iteration diverges there.
+   *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo
+   *   bulk modulus in K; with S no such parameter is needed. In plugs diag(K)⁻¹ says little about K⁻¹: only a part of
+   *   the viscosity enters it, and without the acceleration the iteration diverges there.
    */
   template <int dim>
   class NonlinearScheme

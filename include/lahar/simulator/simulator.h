@@ -63,8 +63,8 @@ namespace Lahar
 
   private:
     /**
-     * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where they
-     * were and is repeated with half the length; @p time_step returns the length that was made.
+     * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where
+     * they were and is repeated with half the length; @p time_step returns the length that was made.
      */
     void step(double &time_step);
 

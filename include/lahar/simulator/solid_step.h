@@ -12,8 +12,8 @@ namespace Lahar
   /**
    * The solids during one time step: their state at its end, and their place in the system of unknowns.
    *
-   * The velocity of a contour node that is a vertex of the fluid's mesh is that vertex's: one unknown for both. All other
-   * nodes follow the fluid's vertices in the system.
+   * The velocity of a contour node that is a vertex of the fluid's mesh is that vertex's: one unknown for both. All
+   * other nodes follow the fluid's vertices in the system.
    */
   template <int dim>
   class SolidStep

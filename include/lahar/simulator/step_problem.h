@@ -18,7 +18,8 @@ namespace Lahar
    * The nonlinear problem of one time step: state, residual, linear system and update, of the fluid and the solids
    * together. The nonlinear schemes drive it.
    *
-   * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these (SolidStep).
+   * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these
+   * (SolidStep).
    */
   template <int dim>
   class StepProblem
@@ -32,8 +33,8 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Begin a step: take the state of the mesh's particles and of the solids; velocities and pressures start from the old
-     * ones, prescribed velocities have their values at @p end_time.
+     * Begin a step: take the state of the mesh's particles and of the solids; velocities and pressures start from the
+     * old ones, prescribed velocities have their values at @p end_time.
      * @param constraints by vertex; the particles' velocities and accelerations obey them already.
      * @param arrives by vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
      */
@@ -53,8 +54,8 @@ namespace Lahar
 
     /**
      * Move from the state in which the system was solved by @p length times the increments. Where simplices would
-     * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat simplex at an impact must not hold up
-     * the rest of the fluid. May be called again with another length.
+     * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat
+     * simplex at an impact must not hold up the rest of the fluid. May be called again with another length.
      */
     void take_step(const double length);
 
@@ -108,7 +109,8 @@ namespace Lahar
     /// Write the accepted state back to the mesh's particles and to the solids.
     void accept(ParticleCloud<dim> &cloud, Solids<dim> &solids);
 
-    /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared nodes.
+    /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared
+    /// nodes.
     const std::vector<Tensor<1, dim>> &reactions() const
     {
       return system.momentum_residual();

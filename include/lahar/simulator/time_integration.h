@@ -12,13 +12,13 @@ namespace Lahar
    * Newmark:         a = (v − v_n)/(γ Δt) − (1−γ)/γ a_n,  x = x_n + Δt/2 (v_n + v), that is β = γ/2.
    * Backward Euler:  a = (v − v_n)/Δt,                    x = x_n + Δt v.
    *
-   * γ = 1/2 is the trapezoidal rule of Franci & Zhang (2018). Incompressibility makes a differential-algebraic system of
-   * index two, in which the rule multiplies what remeshing and impacts leave in div a by −(1−γ)/γ in every step: with
-   * γ = 1/2 it never dies away and in the end destroys the flow. The trapezoidal displacement keeps volume to second
-   * order whatever γ is, provided that v_n is free of divergence. Where a cell has only just become fluid, because the
-   * fluid lands on a wall or on itself, v_n is not: it closes the gap. The vertices of such a cell move by Δt v in that
-   * one step, as in backward Euler. The first step of a run has γ = 1, because the acceleration at rest does not obey
-   * incompressibility.
+   * γ = 1/2 is the trapezoidal rule of Franci & Zhang (2018). Incompressibility makes a differential-algebraic system
+   * of index two, in which the rule multiplies what remeshing and impacts leave in div a by −(1−γ)/γ in every step:
+   * with γ = 1/2 it never dies away and in the end destroys the flow. The trapezoidal displacement keeps volume to
+   * second order whatever γ is, provided that v_n is free of divergence. Where a cell has only just become fluid,
+   * because the fluid lands on a wall or on itself, v_n is not: it closes the gap. The vertices of such a cell move by
+   * Δt v in that one step, as in backward Euler. The first step of a run has γ = 1, because the acceleration at rest
+   * does not obey incompressibility.
    */
   class TimeIntegration
   {

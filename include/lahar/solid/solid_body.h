@@ -14,8 +14,8 @@ namespace Lahar
   /**
    * One solid: shape, law, initial velocity and what holds, drives and loads its contour.
    *
-   * Parts of the contour are named by boxes in the undeformed configuration: the nodes (for loads: the faces whose middle)
-   * inside count.
+   * Parts of the contour are named by boxes in the undeformed configuration: the nodes (for loads: the faces whose
+   * middle) inside count.
    */
   template <int dim>
   class SolidBody

@@ -20,12 +20,12 @@ namespace Lahar
    * The mesh of all solids: simplices with linear or quadratic displacements, made once for the whole run.
    *
    * It stands in the undeformed configuration, with straight edges. Node i is degree of freedom i of dof_handler(); the
-   * nodes on the contour come first. Cells belong to the body that their material id names. Shape gradients, volumes and
-   * masses at the quadrature points are kept, since they never change.
+   * nodes on the contour come first. Cells belong to the body that their material id names. Shape gradients, volumes
+   * and masses at the quadrature points are kept, since they never change.
    *
-   * To the fluid the contour consists of facets that join neighbouring nodes: a quadratic edge counts as two segments, a
-   * quadratic face as four triangles. The gap between them and the curved edge is κ l²/32 for the curvature κ of an edge
-   * of length l.
+   * To the fluid the contour consists of facets that join neighbouring nodes: a quadratic edge counts as two segments,
+   * a quadratic face as four triangles. The gap between them and the curved edge is κ l²/32 for the curvature κ of an
+   * edge of length l.
    */
   template <int dim>
   class SolidMesh

@@ -30,13 +30,13 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Make mesh and state. @param h the fluid's mesh size, m.
-     * @throws InputError if a part of the contour that is named holds nothing, if elements do not fit together (a node of
-     * the contour on a face of another element), if solids touch.
+     * Make mesh and state at @p time (s). @param h the fluid's mesh size, m.
+     * @throws InputError if a part of the contour that is named holds nothing, if elements do not fit together (a node
+     * of the contour on a face of another element), if solids touch.
      * @return warnings for the user: coarse contours, and solids on which nothing acts. @p is_loaded: there is fluid or
      * gravity.
      */
-    std::vector<std::string> create(const double h, const bool is_loaded);
+    std::vector<std::string> create(const double h, const double time, const bool is_loaded);
 
     /// Append the contour's particles to an empty cloud.
     void append_particles(const double h, ParticleCloud<dim> &cloud) const;
@@ -75,7 +75,8 @@ namespace Lahar
     /// The prescribed velocity of a node at @p time.
     Tensor<1, dim> prescribed_velocity(const unsigned int node, const double time) const;
 
-    /// The loads' force on each node at @p time, N (N/m in 2D): ∫ N_I T over the undeformed contour. Empty without loads.
+    /// The loads' force on each node at @p time, N (N/m in 2D): ∫ N_I T over the undeformed contour. Empty without
+    /// loads.
     std::vector<Tensor<1, dim>> external_forces(const double time) const;
 
     /// Take a new state.
@@ -84,8 +85,8 @@ namespace Lahar
       present = state;
     }
 
-    /// Give the particles of the contour position and velocity of their nodes. Where @p in_mesh (by particle) says that no
-    /// fluid touches them, they have no pressure and the solid's acceleration.
+    /// Give the particles of the contour position and velocity of their nodes. Where @p in_mesh (by particle) says that
+    /// no fluid touches them, they have no pressure and the solid's acceleration.
     void move_particles(const std::vector<bool> &in_mesh, ParticleCloud<dim> &cloud) const;
 
     /// Newmark's γ of the solids.

@@ -62,7 +62,8 @@ namespace Lahar
       }
     }
 
-    /// Create the model @p name, which the factory must contain, and let it read its subsection of the handler's current section.
+    /// Create the model @p name, which the factory must contain, and let it read its subsection of the handler's
+    /// current section.
     static std::unique_ptr<Base> create(const std::string &name, Parameters &prm)
     {
       const auto entry = models().find(name);
