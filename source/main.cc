@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/atomic_file.h>
 #include <lahar/version.h>
@@ -176,18 +177,23 @@ namespace
 
 
 
-  template <int dim>
-  void run(Parameters &prm, const bool check_only)
+  /// The case's entry 'Dimension' before the parameters, which depend on it, are declared; a wrong value shows later.
+  unsigned int find_dimension(const CommandLine &line)
   {
-    Simulator<dim> simulator(prm, MPI_COMM_WORLD);
-    simulator.initialize();
-    if (check_only)
+    Parameters prm;
+    RunParameters::declare_parameters(prm);
+    std::ifstream file(line.file_name);
+    try
     {
-      std::cout << simulator.sizes() << std::endl;
-      return;
+      if (file)
+        prm.parse_input(file, line.file_name, "", true);
+      for (const std::string &text : line.overrides)
+        if (text.find("Dimension") != std::string::npos)
+          override_entry(prm, text);
     }
-    prepare_output(prm, prm.get("Output directory"));
-    simulator.run();
+    catch (const std::exception &)
+    {}
+    return prm.get("Dimension") == "3" ? 3 : 2;
   }
 
 
@@ -223,19 +229,16 @@ namespace
 
 
 
-  int lahar_main(const int argc, char **argv)
+  template <int dim>
+  void run(const CommandLine &line)
   {
-    CommandLine line;
-    if (!parse(argc, argv, line))
-      return 0;
-
     // Without a case there is one solid for show.
     Parameters prm;
-    Simulator<2>::declare_parameters(prm, std::max(count_solids(line), line.file_name.empty() ? 1U : 0U));
+    Simulator<dim>::declare_parameters(prm, std::max(count_solids(line), line.file_name.empty() ? 1U : 0U));
     if (!line.print_format.empty())
     {
       print_parameters(prm, line.print_format, std::cout);
-      return 0;
+      return;
     }
     read(line.file_name, prm);
     for (const std::string &text : line.overrides)
@@ -244,7 +247,28 @@ namespace
     if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
       throw InputError("This version runs on one process; found " +
                        std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) + ".");
-    run<2>(prm, line.check);
+    Simulator<dim> simulator(prm, MPI_COMM_WORLD);
+    simulator.initialize();
+    if (line.check)
+    {
+      std::cout << simulator.sizes() << std::endl;
+      return;
+    }
+    prepare_output(prm, prm.get("Output directory"));
+    simulator.run();
+  }
+
+
+
+  int lahar_main(const int argc, char **argv)
+  {
+    CommandLine line;
+    if (!parse(argc, argv, line))
+      return 0;
+    if (find_dimension(line) == 2)
+      run<2>(line);
+    else
+      run<3>(line);
     return 0;
   }
 } // namespace

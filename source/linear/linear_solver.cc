@@ -8,7 +8,7 @@ namespace Lahar
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.declare_entry("Type", "direct", Patterns::Anything(),
+    prm.declare_entry("Type", dim == 2 ? "direct" : "iterative", Patterns::Anything(),
                       "'direct': factorisation; 'iterative': GMRES with a block preconditioner.");
     DirectSolver<dim>::declare_parameters(prm);
     IterativeSolver<dim>::declare_parameters(prm);

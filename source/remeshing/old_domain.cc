@@ -12,12 +12,13 @@ namespace Lahar
     cells.reserve(mesh.n_cells());
     for (const Simplex<dim> &simplex : mesh.particle_cells())
     {
-      const auto corners = corners_of<dim>(simplex, cloud.position);
-      if (!(signed_volume<dim>(corners) > 0.))
+      const auto corners  = corners_of<dim>(simplex, cloud.position);
+      const double volume = signed_volume<dim>(corners);
+      if (!(volume > 0.))
         continue;
       for (const unsigned int particle : simplex)
         cells_of[particle].push_back(cells.size());
-      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex});
+      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume});
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
       seeds.emplace_back(i, i);
@@ -106,6 +107,29 @@ namespace Lahar
           if (is_inside(cell, point))
             return true;
     return false;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<Simplex<dim>, double>>
+  OldDomain<dim>::renumbered_cells(const unsigned int n_particles) const
+  {
+    std::vector<unsigned int> new_index(cells_of.size());
+    for (unsigned int i = 0; i < new_index.size(); ++i)
+      new_index[i] = n_particles + i;
+    for (unsigned int i = 0; i < seeds.size(); ++i)
+      if (seeds[i].first == seeds[i].second && seeds[i].first != numbers::invalid_unsigned_int)
+        new_index[seeds[i].first] = i;
+
+    std::vector<std::pair<Simplex<dim>, double>> result;
+    for (const Cell &cell : cells)
+    {
+      result.emplace_back(cell.corners, cell.volume);
+      for (unsigned int &corner : result.back().first)
+        corner = new_index[corner];
+    }
+    return result;
   }
 
 

@@ -1,4 +1,5 @@
 #include <lahar/remeshing/remesher.h>
+#include <lahar/remeshing/volume_correction.h>
 
 #include <algorithm>
 
@@ -8,6 +9,10 @@ namespace Lahar
   void Remesher<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Remeshing");
+    prm.declare_entry(
+      "Keep volume", "true", Patterns::Anything(),
+      "Whether particles of the free surface move so that remeshing changes no volume: true or "
+      "false.");
     AlphaShape<dim>::declare_parameters(prm);
     ParticleSpacing<dim>::declare_parameters(prm);
     prm.leave_subsection();
@@ -19,6 +24,9 @@ namespace Lahar
   void Remesher<dim>::parse_parameters(Parameters &prm)
   {
     prm.enter_subsection("Remeshing");
+    if (prm.get("Keep volume") != "true" && prm.get("Keep volume") != "false")
+      prm.throw_wrong_value("Keep volume", "true|false");
+    keep_volume = prm.get("Keep volume") == "true";
     alpha_shape.parse_parameters(prm);
     particle_spacing.parse_parameters(prm);
     prm.leave_subsection();
@@ -81,6 +89,8 @@ namespace Lahar
           arriving[particle] = true;
     }
     report.changed = mesh.reinit(cloud, cells);
+    if (keep_volume && report.changed)
+      VolumeCorrection<dim>::apply(old_domain, walls, mesh, cloud);
     for (const unsigned int particle : mesh.particles())
       report.arrives.push_back(arriving[particle]);
     return report;

@@ -118,6 +118,7 @@ namespace Lahar
                << problem.place_of_largest_increment() << ") m, the tolerance is " << tolerance;
         throw RunError(reason.str());
       }
+      report.n_held = problem.n_held();
     }
     catch (const RunError &error)
     {

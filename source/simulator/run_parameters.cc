@@ -4,7 +4,7 @@ namespace Lahar
 {
   void RunParameters::declare_parameters(Parameters &prm)
   {
-    prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain).");
+    prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain) or 3.");
     prm.declare_entry("Output directory", "output", Patterns::Anything(),
                       "Directory for everything that the run writes; it is created if need be.");
     prm.declare_entry("Start time", "0", Patterns::Anything(), "Time at the start in s.");
@@ -25,9 +25,8 @@ namespace Lahar
 
   void RunParameters::parse_parameters(Parameters &prm)
   {
-    if (prm.get("Dimension") != "2")
-      prm.throw_wrong_value("Dimension", "2");
-    dimension        = 2;
+    if (prm.get("Dimension") != "2" && prm.get("Dimension") != "3")
+      prm.throw_wrong_value("Dimension", "2|3");
     output_directory = prm.get("Output directory");
     if (output_directory.empty())
       prm.throw_wrong_value("Output directory", "the name of a directory");

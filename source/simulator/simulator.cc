@@ -17,7 +17,7 @@ namespace Lahar
       "Initial velocity", dim == 2 ? "0; 0" : "0; 0; 0", Patterns::Anything(),
       "Initial velocity of the fluid in m/s: one function of x and y per component, separated by ';'.");
     TimeIntegration::declare_parameters(prm);
-    InitialGeometry::declare_parameters(prm);
+    InitialGeometry<dim>::declare_parameters(prm);
     FluidLaw::declare_parameters(prm);
     Solids<dim>::declare_parameters(prm, n_solids);
     Remesher<dim>::declare_parameters(prm);
@@ -307,6 +307,7 @@ namespace Lahar
       convergence << step_number << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
                   << report.increments[i].second << '\n';
     statistics.add_value("Linear iterations", report.linear_iterations);
+    statistics.add_value("Held vertices", report.n_held);
     statistics.add_value("Fluid cells", fluid_mesh.n_cells());
     statistics.add_value("Solid cells", solids.mesh().n_cells());
     statistics.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
@@ -341,4 +342,5 @@ namespace Lahar
 
 
   template class Simulator<2>;
+  template class Simulator<3>;
 } // namespace Lahar

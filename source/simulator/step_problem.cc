@@ -13,6 +13,8 @@ namespace Lahar
     constexpr double smallest_part = 0.2;
     /// Increments that would invert simplices even at this part of their length are not taken.
     constexpr double shortest_step = 1e-3;
+    /// If more than this part of the vertices is held, the step has not converged.
+    constexpr double largest_held_part = 0.01;
   } // namespace
 
 
@@ -79,6 +81,7 @@ namespace Lahar
     state.position     = state.old_position;
     state.acceleration = state.old_acceleration;
     velocity_change.assign(system.n_nodes(), Tensor<1, dim>());
+    held.assign(system.n_nodes(), false);
     pressure_change.assign(mesh->n_vertices(), 0.);
 
     assembler.set_stabilization(*mesh, law, state);
@@ -197,8 +200,10 @@ namespace Lahar
     double v = 0., p = 0., dv = 0., dp = 0.;
     for (const Tensor<1, dim> &velocity : node_velocities())
       v += velocity.norm_square();
-    for (const Tensor<1, dim> &change : velocity_change)
-      dv += change.norm_square();
+    const bool few_held = n_held() <= largest_held_part * system.n_nodes();
+    for (unsigned int i = 0; i < system.n_nodes(); ++i)
+      if (!(held[i] && few_held))
+        dv += velocity_change[i].norm_square();
     for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
     {
       p += state.pressure[i] * state.pressure[i];
@@ -305,6 +310,8 @@ namespace Lahar
         lengths[v] = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
       move_along();
     }
+    for (unsigned int v = 0; v < system.n_nodes(); ++v)
+      held[v] = lengths[v] == 0. && length > 0.;
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       state.pressure[v] = base_pressure[v] + length * pressure_change[v];
     if (fluid_law->yield_stress() > 0.)

@@ -2,26 +2,29 @@
 #define lahar_geometry_initial_geometry_h
 
 #include <lahar/boundary/solid_contour.h>
-#include <lahar/boundary/walls.h>
-#include <lahar/geometry/polygon.h>
+#include <lahar/geometry/fluid_body.h>
+#include <lahar/geometry/wall_shape.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/parameters.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace Lahar
 {
   /**
-   * The initial fluid bodies and the rigid walls of a plane case.
+   * The initial fluid bodies and the rigid walls of a case.
    *
-   * Fluid bodies are rectangles, polygons and physical groups of a gmsh file; walls are polylines and physical groups.
-   * Bodies are filled with particles at the mesh size, walls without slip carry particles at the same distance. Where a
-   * body's corner lies on a wall, the wall has a particle there, so that a level surface meets the wall at its height.
-   * A fluid particle that would coincide with a wall particle gives way to it, and both to a solid's. Where a wall
-   * passes along a solid's contour, it has no particles; the first ones beside the solid stand at their usual distance
-   * from it.
+   * Fluid bodies are boxes, polygons (in the plane), convex polyhedra and truncated cones (in space) and physical groups
+   * of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. Bodies are filled
+   * with particles at the mesh size, walls without slip carry particles at the same distance. Where a body touches a
+   * wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
+   * level surface meets the wall at its height. A fluid particle that would coincide with a wall particle gives way to
+   * it, and both to a solid's. Where a wall passes along a solid's contour, it has no particles; the first ones beside
+   * the solid stand at their usual distance from it.
    */
+  template <int dim>
   class InitialGeometry
   {
   public:
@@ -42,38 +45,27 @@ namespace Lahar
      * @return by particle, whether a wall particle stands where a body touches the wall (true for fluid particles).
      * @throws InputError if there is no fluid, if a body is smaller than @p h, if bodies, walls and solids overlap.
      */
-    std::vector<bool> create(const double h, const SolidContour<2> &solids, ParticleCloud<2> &cloud,
-                             Walls<2> &walls) const;
+    std::vector<bool> create(const double h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
+                             Walls<dim> &walls) const;
 
   private:
-    struct Body
-    {
-      std::string name;
-      Polygon contour;             ///< empty for a body from a mesh file
-      std::vector<Point<2>> nodes; ///< of a body from a mesh file
-    };
-
-    struct Line
-    {
-      std::string name;
-      std::vector<Point<2>> corners;
-      bool closed = false;
-      bool slip   = false;
-    };
-
     void parse_bodies(Parameters &prm);
-    void parse_lines(Parameters &prm, const std::string &entry, const bool slip);
+    void parse_walls(Parameters &prm, const std::string &entry, const bool slip);
     void parse_mesh_file(Parameters &prm);
 
-    void check_body_sizes(const double h) const;
-    void check_overlaps(const double h) const;
-    void check_solids(const SolidContour<2> &solids, const double h) const;
-    /// The line's corners, and the corners of bodies and the ends of solids that lie on it.
-    std::vector<Point<2>> with_contact_points(const Line &line, const SolidContour<2> &solids,
-                                              const double h) const;
+    /// The points of each body.
+    using Fillings = std::vector<std::vector<Point<dim>>>;
 
-    std::vector<Body> bodies;
-    std::vector<Line> lines;
+    void check_body_sizes(const double h) const;
+    void check_overlaps(const Fillings &fillings, const double h) const;
+    void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
+
+    /// Points where bodies and solids touch @p wall.
+    std::vector<Point<dim>> contacts(const WallShape<dim> &wall, const Fillings &fillings,
+                                     const SolidContour<dim> &solids, const double h) const;
+
+    std::vector<std::unique_ptr<FluidBody<dim>>> bodies;
+    std::vector<WallShape<dim>> wall_shapes;
   };
 } // namespace Lahar
 

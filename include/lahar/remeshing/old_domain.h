@@ -47,12 +47,19 @@ namespace Lahar
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
+    /**
+     * The cells of the last mesh and their volumes, in the numbering of the present @p n_particles particles; a
+     * removed particle has a number of its own from @p n_particles on.
+     */
+    std::vector<std::pair<Simplex<dim>, double>> renumbered_cells(const unsigned int n_particles) const;
+
   private:
     struct Cell
     {
       Tensor<2, dim> to_barycentric; ///< maps x − origin to the barycentric coordinates 1 … dim
       Point<dim> origin;
       Simplex<dim> corners; ///< old indices
+      double volume;
     };
 
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;

@@ -11,7 +11,8 @@
 namespace Lahar
 {
   /**
-   * Remeshing (PFEM): adapt the particles' spacing, triangulate them by Delaunay, keep what AlphaShape accepts.
+   * Remeshing (PFEM): adapt the particles' spacing, triangulate them by Delaunay, keep what AlphaShape accepts,
+   * take back what that changed of the volume (VolumeCorrection).
    */
   template <int dim>
   class Remesher
@@ -46,6 +47,7 @@ namespace Lahar
                   const double time_step, FluidMesh<dim> &mesh) const;
 
   private:
+    bool keep_volume = true;
     AlphaShape<dim> alpha_shape;
     ParticleSpacing<dim> particle_spacing;
   };

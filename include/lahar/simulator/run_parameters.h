@@ -10,7 +10,6 @@ namespace Lahar
   /// The entries at the top level of every .prm file.
   struct RunParameters
   {
-    unsigned int dimension = 2;
     std::string output_directory;
     double start_time        = 0.; ///< s
     double end_time          = 0.; ///< s

@@ -84,7 +84,7 @@ namespace Lahar
 
     std::unique_ptr<FluidLaw> law;
     Tensor<1, dim> gravity;
-    InitialGeometry geometry;
+    InitialGeometry<dim> geometry;
     std::string initial_velocity;
     TimeIntegration time_integration;
     Remesher<dim> remesher;

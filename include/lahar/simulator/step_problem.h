@@ -12,6 +12,8 @@
 
 #include <memory>
 
+#include <algorithm>
+
 namespace Lahar
 {
   /**
@@ -55,7 +57,8 @@ namespace Lahar
     /**
      * Move from the state in which the system was solved by @p length times the increments. Where simplices would
      * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat
-     * simplex at an impact must not hold up the rest of the fluid. May be called again with another length.
+     * simplex at an impact must not hold up the rest of the fluid. Vertices that cannot follow their increment at all
+     * are held: they hit what lies behind the simplex. May be called again with another length.
      */
     void take_step(const double length);
 
@@ -63,6 +66,12 @@ namespace Lahar
     bool was_damped() const
     {
       return damped;
+    }
+
+    /// Number of vertices that were held in the last step.
+    unsigned int n_held() const
+    {
+      return std::count(held.begin(), held.end(), true);
     }
 
     /// Velocities by vertex, then pressures.
@@ -80,7 +89,8 @@ namespace Lahar
       return -(solution.block(0) * system.right_hand_side().block(0));
     }
 
-    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step.
+    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step. Held vertices do not count in δv, as
+    /// long as they are few (one in a hundred).
     double velocity_increment() const
     {
       return relative_velocity_increment;
@@ -155,6 +165,7 @@ namespace Lahar
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;
+    std::vector<bool> held; ///< by node
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;

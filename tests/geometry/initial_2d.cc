@@ -3,6 +3,7 @@
 
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/polygon.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
@@ -21,12 +22,12 @@ struct Case
   Case(const Entries &entries, const double h)
   {
     Parameters prm;
-    InitialGeometry::declare_parameters(prm);
+    InitialGeometry<2>::declare_parameters(prm);
     prm.enter_subsection("Geometry");
     for (const auto &[entry, value] : entries)
       prm.set(entry, value);
     prm.leave_subsection();
-    InitialGeometry geometry;
+    InitialGeometry<2> geometry;
     geometry.parse_parameters(prm, false);
     const std::vector<bool> wet = geometry.create(h, SolidContour<2>({}, cloud), cloud, walls);
     Remesher<2> remesher;

@@ -1,0 +1,30 @@
+#ifndef lahar_geometry_convex_body_h
+#define lahar_geometry_convex_body_h
+
+#include <lahar/geometry/fluid_body.h>
+#include <lahar/geometry/plane_polygon.h>
+
+namespace Lahar
+{
+  /**
+   * The convex hull of points in space: boxes, wedges, prisms. Each of its plane faces is filled as a polygon, its inside
+   * by fill_inside().
+   */
+  class ConvexBody : public FluidBody<3>
+  {
+  public:
+    /// @param points its corners; points inside the hull do no harm. @throws InputError if they lie in a plane.
+    ConvexBody(const std::string &name, const std::vector<Point<3>> &points);
+
+    Box<3> box() const override;
+    double signed_distance(const Point<3> &point) const override;
+    std::vector<Point<3>> fill(const double h) const override;
+    std::vector<Point<3>> corners() const override;
+
+  private:
+    std::vector<Point<3>> points;
+    std::vector<PlanePolygon> faces; ///< normals point outwards
+  };
+} // namespace Lahar
+
+#endif

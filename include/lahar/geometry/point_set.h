@@ -1,0 +1,28 @@
+#ifndef lahar_geometry_point_set_h
+#define lahar_geometry_point_set_h
+
+#include <deal.II/numerics/rtree.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /// Points, of which those near a place are found fast.
+  template <int dim>
+  class PointSet
+  {
+  public:
+    /// Numbers of the points nearer to @p point than @p distance (m); points are numbered in the order of insertion.
+    std::vector<unsigned int> near(const Point<dim> &point, const double distance) const;
+
+    void insert(const Point<dim> &point);
+
+  private:
+    using Entry = std::pair<Point<dim>, unsigned int>;
+    RTree<Entry> tree;
+  };
+} // namespace Lahar
+
+#endif

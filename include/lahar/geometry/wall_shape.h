@@ -1,0 +1,35 @@
+#ifndef lahar_geometry_wall_shape_h
+#define lahar_geometry_wall_shape_h
+
+#include <lahar/boundary/walls.h>
+
+#include <string>
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * A rigid wall as the user gives it: a polyline in the plane, a convex plane polygon in space.
+   */
+  template <int dim>
+  struct WallShape
+  {
+    std::string name; ///< how messages to the user call it
+    std::vector<Point<dim>> corners;
+    bool closed = false; ///< of a polyline: the last corner is joined to the first, the wall is a body
+    bool slip   = false;
+
+    std::vector<WallFacet<dim>> facets() const;
+
+    /// Particles at the distance @p h, among them the @p contacts: points of the wall where something touches it.
+    std::vector<Point<dim>> particles(const std::vector<Point<dim>> &contacts, const double h) const;
+
+    /// Points of the wall about 0.2 h apart (0.5 h in space), to see what it meets.
+    std::vector<Point<dim>> samples(const double h) const;
+
+    /// Whether @p point lies deeper than @p tolerance in a wall that is a body.
+    bool encloses(const Point<dim> &point, const double tolerance) const;
+  };
+} // namespace Lahar
+
+#endif

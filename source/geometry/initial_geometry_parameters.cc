@@ -1,0 +1,243 @@
+#include <lahar/geometry/cone_body.h>
+#include <lahar/geometry/convex_body.h>
+#include <lahar/geometry/gmsh_file.h>
+#include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/point_lists.h>
+#include <lahar/geometry/polygon_body.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// "x, y : x, y : ..." as points.
+    template <int dim>
+    std::vector<Point<dim>> parse_list(const Parameters &prm, const std::string &entry,
+                                       const std::string &text)
+    {
+      const std::string point = dim == 2 ? "x, y" : "x, y, z";
+      return parse_points<dim>(prm, entry, text,
+                               "lists of points '" + point + " : " + point +
+                                 " : ...' separated by ';', lengths in m (found '" + text + "')");
+    }
+
+    std::string numbered(const Parameters &prm, const std::string &entry, const unsigned int number)
+    {
+      return "number " + std::to_string(number) + " of '" + prm.path(entry) + "'";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::declare_parameters(Parameters &prm)
+  {
+    const std::string point = dim == 2 ? "x, y" : "x, y, z", line = point + " : " + point;
+    prm.enter_subsection("Geometry");
+    prm.declare_entry("Fluid boxes", "", Patterns::Anything(),
+                      "Fluid boxes, each as two opposite corners '" + line +
+                        "', separated by ';'. Lengths in m.");
+    if (dim == 2)
+      prm.declare_entry("Fluid polygons", "", Patterns::Anything(),
+                        "Fluid polygons, each as its corners '" + line + " ...', separated by ';'.");
+    else
+    {
+      prm.declare_entry("Fluid polyhedra", "", Patterns::Anything(),
+                        "Convex fluid bodies, each as its corners '" + line +
+                          " ...' in any order, separated by ';'.");
+      prm.declare_entry("Fluid cones", "", Patterns::Anything(),
+                        "Upright truncated cones and cylinders of fluid, each as the centre of the base, the "
+                        "two radii and the height 'x, y, z : base radius, top radius, height', separated "
+                        "by ';'. The top is not wider than the base.");
+    }
+    prm.declare_entry(
+      "No-slip walls", "", Patterns::Anything(),
+      dim == 2
+        ? "Rigid walls without slip, each a polyline 'x, y : x, y ...', separated by ';'. A line "
+          "whose last point is its first one is a closed body."
+        : "Rigid walls without slip, each a convex polygon in a plane 'x, y, z : x, y, z : x, y, z ...', "
+          "separated by ';'.");
+    prm.declare_entry("Slip walls", "", Patterns::Anything(),
+                      "Rigid walls with free slip, given as in 'No-slip walls'. Fluid slides along them and "
+                      "does not leave them.");
+    if (dim == 2)
+    {
+      prm.declare_entry(
+        "Mesh file", "", Patterns::Anything(),
+        "A gmsh file (.msh, ASCII, format 2.2 or 4.1) that gives fluid bodies and walls by physical groups.");
+      prm.declare_entry("Fluid groups", "", Patterns::Anything(),
+                        "Names of the mesh file's physical surfaces that are fluid, separated by commas.");
+      prm.declare_entry(
+        "No-slip wall groups", "", Patterns::Anything(),
+        "Names of the mesh file's physical curves that are walls without slip, separated by commas.");
+      prm.declare_entry(
+        "Slip wall groups", "", Patterns::Anything(),
+        "Names of the mesh file's physical curves that are walls with free slip, separated by commas.");
+    }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::parse_parameters(Parameters &prm, const bool has_solids)
+  {
+    prm.enter_subsection("Geometry");
+    parse_bodies(prm);
+    parse_walls(prm, "No-slip walls", false);
+    parse_walls(prm, "Slip walls", true);
+    parse_mesh_file(prm);
+    if (bodies.empty() && !has_solids)
+      throw InputError("There is no fluid: '" + prm.path("Fluid boxes") + "', '" +
+                       prm.path(dim == 2 ? "Fluid polygons" : "Fluid polyhedra") + "' and '" +
+                       prm.path(dim == 2 ? "Fluid groups" : "Fluid cones") + "' are all empty.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::parse_bodies(Parameters &prm)
+  {
+    unsigned int number = 0;
+    for (const std::string &text : split_list(prm.get("Fluid boxes"), ';'))
+    {
+      const std::vector<Point<dim>> p = parse_list<dim>(prm, "Fluid boxes", text);
+      bool has_volume                 = p.size() == 2;
+      for (unsigned int d = 0; d < dim && has_volume; ++d)
+        has_volume = p[0][d] != p[1][d];
+      if (!has_volume)
+        prm.throw_wrong_value("Fluid boxes", std::string("two opposite corners with different x") +
+                                               (dim == 2 ? " and different y" : ", y and z") +
+                                               " for each box");
+      const Box<dim> box(p[0], p[1]);
+      const std::string name = numbered(prm, "Fluid boxes", ++number);
+      if constexpr (dim == 2)
+        bodies.push_back(std::make_unique<PolygonBody>(
+          name, Polygon{box.lower, {box.upper[0], box.lower[1]}, box.upper, {box.lower[0], box.upper[1]}}));
+      else
+      {
+        std::vector<Point<3>> corners;
+        for (unsigned int c = 0; c < 8; ++c)
+          corners.emplace_back((c & 1 ? box.upper : box.lower)[0], (c & 2 ? box.upper : box.lower)[1],
+                               (c & 4 ? box.upper : box.lower)[2]);
+        bodies.push_back(std::make_unique<ConvexBody>(name, corners));
+      }
+    }
+
+    number                      = 0;
+    const std::string polytopes = dim == 2 ? "Fluid polygons" : "Fluid polyhedra";
+    for (const std::string &text : split_list(prm.get(polytopes), ';'))
+    {
+      std::vector<Point<dim>> corners = parse_list<dim>(prm, polytopes, text);
+      const std::string name          = numbered(prm, polytopes, ++number);
+      if constexpr (dim == 2)
+      {
+        if (corners.size() < 3 || is_self_intersecting(corners) || signed_area(corners) == 0.)
+          prm.throw_wrong_value(polytopes, "at least three corners and edges that do not meet each other");
+        if (signed_area(corners) < 0.)
+          std::reverse(corners.begin(), corners.end());
+        bodies.push_back(std::make_unique<PolygonBody>(name, corners));
+      }
+      else
+        try
+        {
+          bodies.push_back(std::make_unique<ConvexBody>(name, corners));
+        }
+        catch (const InputError &error)
+        {
+          prm.throw_wrong_value(polytopes, std::string(error.what()) + " (found '" + text + "')");
+        }
+    }
+
+    if constexpr (dim == 3)
+    {
+      number = 0;
+      for (const std::string &text : split_list(prm.get("Fluid cones"), ';'))
+      {
+        const std::string allowed =
+          "'x, y, z : base radius, top radius, height' separated by ';', radii and height above 0, the top not "
+          "wider than the base (found '" +
+          text + "')";
+        const std::vector<Point<3>> p = parse_points<3>(prm, "Fluid cones", text, allowed);
+        if (p.size() != 2 || !(p[1][1] > 0. && p[1][1] <= p[1][0] && p[1][2] > 0.))
+          prm.throw_wrong_value("Fluid cones", allowed);
+        bodies.push_back(std::make_unique<ConeBody>(numbered(prm, "Fluid cones", ++number), p[0], p[1][0],
+                                                    p[1][1], p[1][2]));
+      }
+    }
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::parse_walls(Parameters &prm, const std::string &entry, const bool slip)
+  {
+    unsigned int number = 0;
+    for (const std::string &text : split_list(prm.get(entry), ';'))
+    {
+      WallShape<dim> wall{numbered(prm, entry, ++number), parse_list<dim>(prm, entry, text), false, slip};
+      if constexpr (dim == 2)
+      {
+        if (wall.corners.size() > 2 && wall.corners.front() == wall.corners.back())
+        {
+          wall.closed = true;
+          wall.corners.pop_back();
+        }
+        bool has_length = wall.corners.size() >= 2;
+        for (unsigned int i = 1; i < wall.corners.size(); ++i)
+          has_length = has_length && wall.corners[i] != wall.corners[i - 1];
+        if (!has_length)
+          prm.throw_wrong_value(entry, "at least two different points for each wall, neighbours apart");
+      }
+      else
+        try
+        {
+          wall.facets();
+        }
+        catch (const InputError &error)
+        {
+          prm.throw_wrong_value(entry, std::string(error.what()) + " for each wall (found '" + text + "')");
+        }
+      wall_shapes.push_back(wall);
+    }
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::parse_mesh_file(Parameters &prm)
+  {
+    if constexpr (dim == 2)
+    {
+      const std::string file_name = prm.get("Mesh file");
+      const auto fluid            = split_list(prm.get("Fluid groups"), ',');
+      const auto no_slip          = split_list(prm.get("No-slip wall groups"), ',');
+      const auto slip             = split_list(prm.get("Slip wall groups"), ',');
+      if (file_name.empty())
+      {
+        if (!fluid.empty() || !no_slip.empty() || !slip.empty())
+          prm.throw_wrong_value("Mesh file", "the name of a gmsh file, since groups of it are named");
+        return;
+      }
+
+      const GmshFile file(file_name);
+      for (const std::string &group : fluid)
+        bodies.push_back(std::make_unique<MeshBody<2>>("group '" + group + "' of " + file_name,
+                                                       file.nodes_of_surface(group)));
+      for (const bool is_slip : {false, true})
+        for (const std::string &group : is_slip ? slip : no_slip)
+          for (const auto &edge : file.edges_of_curve(group))
+            wall_shapes.push_back(
+              {"group '" + group + "' of " + file_name, {edge[0], edge[1]}, false, is_slip});
+    }
+  }
+
+
+
+  template void InitialGeometry<2>::declare_parameters(Parameters &);
+  template void InitialGeometry<2>::parse_parameters(Parameters &, const bool);
+  template void InitialGeometry<3>::declare_parameters(Parameters &);
+  template void InitialGeometry<3>::parse_parameters(Parameters &, const bool);
+} // namespace Lahar

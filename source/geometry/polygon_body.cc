@@ -1,0 +1,38 @@
+#include <lahar/geometry/polygon_body.h>
+
+namespace Lahar
+{
+  PolygonBody::PolygonBody(const std::string &name, const Polygon &contour)
+    : FluidBody<2>(name)
+    , contour(contour)
+  {}
+
+
+
+  Box<2> PolygonBody::box() const
+  {
+    return box_around(contour);
+  }
+
+
+
+  double PolygonBody::signed_distance(const Point<2> &point) const
+  {
+    const double distance = distance_to_contour(contour, point);
+    return is_inside(contour, point) ? -distance : distance;
+  }
+
+
+
+  std::vector<Point<2>> PolygonBody::fill(const double h) const
+  {
+    return fill_polygon(contour, h);
+  }
+
+
+
+  std::vector<Point<2>> PolygonBody::corners() const
+  {
+    return contour;
+  }
+} // namespace Lahar

@@ -1,0 +1,122 @@
+#include <lahar/geometry/plane_polygon.h>
+#include <lahar/geometry/point_set.h>
+#include <lahar/geometry/wall_shape.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  template <>
+  std::vector<WallFacet<2>> WallShape<2>::facets() const
+  {
+    std::vector<WallFacet<2>> result;
+    const unsigned int n = corners.size();
+    for (unsigned int i = 0; i + 1 < n + closed; ++i)
+      result.push_back({{{corners[i], corners[(i + 1) % n]}}, slip});
+    return result;
+  }
+
+
+
+  template <>
+  std::vector<Point<2>> WallShape<2>::particles(const std::vector<Point<2>> &contacts, const double h) const
+  {
+    std::vector<Point<2>> kept;
+    const unsigned int n_pieces = closed ? corners.size() : corners.size() - 1;
+    for (unsigned int i = 0; i < n_pieces; ++i)
+    {
+      const Point<2> &a = corners[i];
+      const Point<2> &b = corners[(i + 1) % corners.size()];
+      std::vector<Point<2>> on_piece;
+      for (const Point<2> &p : contacts)
+        if (distance_to_segment(p, a, b) < 1e-3 * h && p.distance(a) > 0.5 * h && p.distance(b) > 0.5 * h)
+          on_piece.push_back(p);
+      std::sort(on_piece.begin(), on_piece.end(), [&a](const Point<2> &p, const Point<2> &q) {
+        return p.distance_square(a) < q.distance_square(a);
+      });
+      kept.push_back(a);
+      for (const Point<2> &p : on_piece)
+        if (p.distance(kept.back()) > 0.5 * h)
+          kept.push_back(p);
+    }
+    if (!closed)
+      kept.push_back(corners.back());
+    return sample_polyline(kept, h, closed);
+  }
+
+
+
+  template <>
+  std::vector<Point<2>> WallShape<2>::samples(const double h) const
+  {
+    return sample_polyline(corners, 0.2 * h, closed);
+  }
+
+
+
+  template <>
+  bool WallShape<2>::encloses(const Point<2> &point, const double tolerance) const
+  {
+    return closed && is_inside(corners, point) && distance_to_contour(corners, point) > tolerance;
+  }
+
+
+
+  template <>
+  std::vector<WallFacet<3>> WallShape<3>::facets() const
+  {
+    std::vector<WallFacet<3>> result;
+    for (const auto &triangle : PlanePolygon(corners).triangles())
+      result.push_back({triangle, slip});
+    return result;
+  }
+
+
+
+  template <>
+  std::vector<Point<3>> WallShape<3>::particles(const std::vector<Point<3>> &contacts, const double h) const
+  {
+    std::vector<Point<3>> result;
+    PointSet<3> places;
+    for (const Point<3> &p : contacts)
+      if (places.near(p, 0.1 * h).empty())
+      {
+        places.insert(p);
+        result.push_back(p);
+      }
+    const PointSet<3> touched = places;
+    for (const Point<3> &p : PlanePolygon(corners).fill(h))
+      if (touched.near(p, 0.6 * h).empty())
+        result.push_back(p);
+    return result;
+  }
+
+
+
+  template <>
+  std::vector<Point<3>> WallShape<3>::samples(const double h) const
+  {
+    std::vector<Point<3>> result;
+    for (const auto &[a, b, c] : PlanePolygon(corners).triangles())
+    {
+      const unsigned int n = 1 + std::max({a.distance(b), b.distance(c), c.distance(a)}) / (0.5 * h);
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int j = 0; i + j <= n; ++j)
+          result.push_back(a + double(i) / n * (b - a) + double(j) / n * (c - a));
+    }
+    return result;
+  }
+
+
+
+  template <>
+  bool WallShape<3>::encloses(const Point<3> &, const double) const
+  {
+    return false;
+  }
+
+
+
+  template struct WallShape<2>;
+  template struct WallShape<3>;
+} // namespace Lahar
