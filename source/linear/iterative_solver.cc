@@ -9,6 +9,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// An approximate inverse with which GMRES takes more than this times the iterations of a fresh one is made anew.
+    constexpr double largest_growth = 1.5;
+  } // namespace
+
+
+
   template <int dim>
   void IterativeSolver<dim>::declare_parameters(Parameters &prm)
   {
@@ -66,27 +74,47 @@ namespace Lahar
 
 
   template <int dim>
+  void IterativeSolver<dim>::make_inverse(const BlockSystem<dim> &system)
+  {
+    // The system's matrix will change: the smoothers need one that does not.
+    inverse = std::make_unique<ApproximateInverse>();
+    inverse->K.copy_from(system.matrix().block(0, 0));
+    inverse->S.reinit(*make_schur_complement(system), true);
+    inverse->inverse_K = make_preconditioner(inverse->K, dim);
+    inverse->inverse_S = make_preconditioner(inverse->S, 1);
+    inverse->pattern   = system.pattern_number();
+  }
+
+
+
+  template <int dim>
   unsigned int IterativeSolver<dim>::solve(const BlockSystem<dim> &system, const double velocity_scale,
                                            const double pressure_scale, Vector &solution)
   {
-    Matrix schur;
-    schur.reinit(*make_schur_complement(system), true);
-    const Preconditioner inverse_K = make_preconditioner(system.matrix().block(0, 0), dim);
-    const Preconditioner inverse_S = make_preconditioner(schur, 1);
+    for (bool fresh = false; !fresh;)
+    {
+      fresh = !inverse || inverse->pattern != system.pattern_number() || inverse->worn;
+      if (fresh)
+        make_inverse(system);
 
-    auto pressure_rhs               = system.right_hand_side().block(1);
-    const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
-      system,
-      [&](const Vector &x, Vector &y) {
-        inverse_K->vmult(y.block(0), x.block(0));
-        system.matrix().block(1, 0).vmult(pressure_rhs, y.block(0));
-        pressure_rhs.sadd(-1., 1., x.block(1));
-        inverse_S->vmult(y.block(1), pressure_rhs);
-      },
-      velocity_scale, pressure_scale, tolerance, max_iterations, solution);
-    if (n_iterations > max_iterations)
-      throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
-    return n_iterations;
+      auto pressure_rhs               = system.right_hand_side().block(1);
+      const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
+        system,
+        [&](const Vector &x, Vector &y) {
+          inverse->inverse_K->vmult(y.block(0), x.block(0));
+          system.matrix().block(1, 0).vmult(pressure_rhs, y.block(0));
+          pressure_rhs.sadd(-1., 1., x.block(1));
+          inverse->inverse_S->vmult(y.block(1), pressure_rhs);
+        },
+        velocity_scale, pressure_scale, tolerance, max_iterations, solution);
+      if (fresh)
+        inverse->n_fresh_iterations = n_iterations;
+      inverse->worn = n_iterations > largest_growth * inverse->n_fresh_iterations;
+      if (n_iterations <= max_iterations)
+        return n_iterations;
+      inverse->worn = true;
+    }
+    throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
   }
 
 

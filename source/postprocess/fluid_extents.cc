@@ -2,12 +2,14 @@
 #include <lahar/utilities/factory.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace Lahar
 {
   /**
-   * How far the fluid reaches: largest or smallest coordinate of the fluid particles in the mesh, or the difference of
-   * the two, m. Isolated particles do not count.
+   * How far the fluid reaches in some directions e: largest or smallest x·e of the fluid particles in the mesh, or the
+   * difference of the two, m. Isolated particles do not count.
    */
   template <int dim>
   class FluidExtents : public Postprocessor<dim>
@@ -18,7 +20,8 @@ namespace Lahar
       prm.declare_entry(
         "Extents", "front: max x, height: max y", Patterns::Anything(),
         "Columns '<name> (m)' and what they hold, 'name: max|min|extent x|y|z', separated by commas. "
-        "'extent' is the largest less the smallest coordinate.");
+        "'extent' is the largest less the smallest coordinate. In place of a coordinate there may be the "
+        "angle in degrees, counted from x towards y, of a direction in the plane of x and y.");
     }
 
     void parse_parameters(Parameters &prm) override;
@@ -36,8 +39,11 @@ namespace Lahar
     {
       std::string name;
       Kind kind;
-      unsigned int direction;
+      Tensor<1, dim> direction;
     };
+
+    /// The direction that @p text names; zero if it names none.
+    static Tensor<1, dim> direction_of(const std::string &text);
 
     std::vector<Extent> extents;
   };
@@ -45,26 +51,45 @@ namespace Lahar
 
 
   template <int dim>
+  Tensor<1, dim> FluidExtents<dim>::direction_of(const std::string &text)
+  {
+    Tensor<1, dim> direction;
+    const std::size_t d = text.size() == 1 ? std::string("xyz").substr(0, dim).find(text) : std::string::npos;
+    if (d != std::string::npos)
+      direction[d] = 1.;
+    else
+      try
+      {
+        const double angle = to_number(text) * numbers::PI / 180.;
+        direction[0]       = std::cos(angle);
+        direction[1]       = std::sin(angle);
+      }
+      catch (const std::invalid_argument &)
+      {}
+    return direction;
+  }
+
+
+
+  template <int dim>
   void FluidExtents<dim>::parse_parameters(Parameters &prm)
   {
     const std::string allowed = std::string("'name: max|min|extent ") + (dim == 2 ? "x|y" : "x|y|z") +
-                                "', separated by commas, every name once";
+                                "|angle', separated by commas, every name once";
     for (const std::string &text : split_list(prm.get("Extents"), ','))
     {
       const auto name_and_rule            = split_list(text, ':');
       const std::vector<std::string> rule = name_and_rule.size() == 2 ? split_list(name_and_rule[1], ' ')
                                                                       : name_and_rule;
-      const std::size_t direction         = rule.size() == 2 && rule[1].size() == 1
-                                              ? std::string("xyz").substr(0, dim).find(rule[1])
-                                              : std::string::npos;
-      if (name_and_rule.size() != 2 || name_and_rule[0].empty() || direction == std::string::npos ||
+      const Tensor<1, dim> direction      = rule.size() == 2 ? direction_of(rule[1]) : Tensor<1, dim>();
+      if (name_and_rule.size() != 2 || name_and_rule[0].empty() || direction.norm() == 0. ||
           (rule[0] != "max" && rule[0] != "min" && rule[0] != "extent") ||
           std::any_of(extents.begin(), extents.end(),
                       [&](const Extent &e) { return e.name == name_and_rule[0]; }))
         prm.throw_wrong_value("Extents", allowed);
       extents.push_back({name_and_rule[0],
                          rule[0] == "max" ? Kind::max : (rule[0] == "min" ? Kind::min : Kind::extent),
-                         static_cast<unsigned int>(direction)});
+                         direction});
     }
   }
 
@@ -73,23 +98,20 @@ namespace Lahar
   template <int dim>
   void FluidExtents<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
-    Point<dim> lower, upper;
-    bool any = false;
-    for (const unsigned int particle : snapshot.mesh.particles())
-      if (snapshot.cloud.kind[particle] == ParticleKind::fluid)
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          const double x = snapshot.cloud.position[particle][d];
-          lower[d]       = any ? std::min(lower[d], x) : x;
-          upper[d]       = any ? std::max(upper[d], x) : x;
-          any            = any || d == dim - 1;
-        }
     for (const Extent &extent : extents)
     {
-      const unsigned int d = extent.direction;
+      double lower = 0., upper = 0.;
+      bool any = false;
+      for (const unsigned int particle : snapshot.mesh.particles())
+        if (snapshot.cloud.kind[particle] == ParticleKind::fluid)
+        {
+          const double x = extent.direction * snapshot.cloud.position[particle];
+          lower          = any ? std::min(lower, x) : x;
+          upper          = any ? std::max(upper, x) : x;
+          any            = true;
+        }
       add_to_column(statistics, extent.name + " (m)",
-                    extent.kind == Kind::max ? upper[d]
-                                             : (extent.kind == Kind::min ? lower[d] : upper[d] - lower[d]));
+                    extent.kind == Kind::max ? upper : (extent.kind == Kind::min ? lower : upper - lower));
     }
   }
 

@@ -14,6 +14,8 @@ namespace Lahar
     constexpr double closing_gap = 0.15;
     /// … or where the simplex in the gap loses this part of its volume within the next step.
     constexpr double closing_shrinkage = 0.7;
+    /// A simplex that loses less than this part of its volume within the next step is at rest.
+    constexpr double resting_shrinkage = 1e-6;
     /// A hollow of one free surface closes only where the circumradius is below this times h.
     constexpr double hollow_radius = 0.8;
     /// Fluid that has passed a dry wall particle spreads to it where the gap is below this times h.
@@ -178,7 +180,8 @@ namespace Lahar
       return Verdict::no_fluid;
 
     const double gap = gap_in<dim>(simplex, corners, cloud);
-    if ((shrinking >= 0. && gap < closing_gap * h) || shrinking * time_step > closing_shrinkage ||
+    if ((shrinking * time_step > resting_shrinkage && gap < closing_gap * h) ||
+        shrinking * time_step > closing_shrinkage ||
         (size < alpha * h && gap < spreading_gap * h &&
          spreads_along_wall(simplex, corners, cloud, old_domain)))
       return Verdict::becomes_fluid;

@@ -16,6 +16,9 @@ namespace Lahar
    * for one block with K̃ or S̃. K̃⁻¹ and S̃⁻¹ are a cycle of algebraic multigrid (ML, smoothed aggregation with the
    * translations as modes, Chebyshev smoothers) or incomplete factors (Ifpack, ILU).
    *
+   * K̃ and S̃ serve for the next systems of the same pattern too, until GMRES takes half as many iterations again as with
+   * a fresh one.
+   *
    * Why diag(K) will do where plugs make it differ much from K: were C = −Qᵀ, the Schur complement H − C K⁻¹ Q would
    * lie between H and H − C M⁻¹ Q, M the inertia in K, and the stabilisation H is about as large as the second term,
    * because its parameter is about Δt/(2ρ).
@@ -40,6 +43,20 @@ namespace Lahar
 
     /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node.
     Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components) const;
+
+    /// What approximates the inverse of one system: K̃⁻¹ and S̃⁻¹, and the matrices that they refer to.
+    struct ApproximateInverse
+    {
+      unsigned int pattern            = 0; ///< BlockSystem::pattern_number()
+      unsigned int n_fresh_iterations = 0; ///< of the system that it was made from
+      bool worn                       = false;
+      Matrix K, S;
+      Preconditioner inverse_K, inverse_S;
+    };
+
+    void make_inverse(const BlockSystem<dim> &system);
+
+    std::unique_ptr<ApproximateInverse> inverse;
 
     bool multigrid              = true;
     double tolerance            = 1e-3;

@@ -1,0 +1,117 @@
+"""The benchmarks of slumping cones in space (Franci & Zhang 2018, Section 5.2): their runs, table, figures."""
+
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+from figure_style import WIDTH, plt, save, use_style
+
+CASE = "slump"
+TIME = "Time (s)"
+ANGLES = (0, 45, 90, 135)
+VOLUME_CHANGES = ("Volume change by solver", "Volume change by remeshing")
+RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
+
+# Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
+# of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
+CASES = {
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.005, 0.003), "diameter": 0.1,
+             "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
+             "times": ("0", "0.1", "5"), "huppert": None},
+    "abrams": {"file": "prm/slump/abrams_cone.prm", "title": "Abrams cone", "sizes": (0.02, 0.015, 0.01, 0.0075),
+               "diameter": 0.2, "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
+               # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
+               "huppert": 1.788 * (2200. * 9.81 * 5.497787e-3**3 / (3. * 255.))**0.125},
+}
+
+
+def runs(make_run):
+    """All runs. @p make_run(case, name, file, settings, label, tau0, h) makes one."""
+    return [make_run(CASE, f"{name}-h{h:g}", case["file"], (f"Mesh size={h}",), name, 0, h)
+            for name, case in CASES.items() for h in case["sizes"]]
+
+
+def spreads(results):
+    """Spread in the directions ANGLES, one row each, m."""
+    return np.array([results.column(f"spread {angle} (m)") for angle in ANGLES])
+
+
+def table_row(results):
+    run, record, times = results.run, results.record, results.column(TIME)
+    iterations, cells = results.column("Nonlinear iterations"), results.column("Fluid cells")
+    linear, wall_time = results.column("Linear iterations"), results.column("Wall time (s)")[-1]
+    spread = spreads(results)
+    changes = [results.column(name) for name in VOLUME_CHANGES]
+    worst = [f"{100 * change[np.abs(change).argmax()]:+.2f} %" for change in changes]
+    memory = record.get("peak memory (MiB)")
+    # The front advances in jumps: the largest one between two steps, after the first tenth of the run.
+    jumps = np.diff(spread[0])[len(times) // 10:]
+    return [CASES[run.label]["title"], f"{1e3 * run.h:g}",
+            f"{cells[0]:.0f}", f"{times[-1]:.3g}" + ("" if results.is_finished else f" ({results.state})"),
+            f"{spread[:, -1].mean():.4f}", f"{np.ptp(spread[:, -1]) / run.h:.2f}", f"{results.column('height (m)')[-1]:.4f}",
+            f"{jumps.max() / run.h:.2f}" if len(jumps) else "–",
+            f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{linear.sum() / iterations.sum():.1f}",
+            f"{results.column('Rejected steps')[-1]:.0f}", *worst, f"{wall_time:.0f}",
+            f"{1e6 * wall_time / (cells * iterations).sum():.1f}", f"{memory:.0f}" if memory else "–"]
+
+
+def write_table(usable, missing, path):
+    header = ["case", "h (mm)", "tetrahedra at the start", "time reached (s)", "spread, mean of four directions (m)",
+              "largest difference between directions / h", "height (m)", "largest jump of the front in a step / h",
+              "iterations, median / largest", "linear iterations per solve", "rejected steps", "volume by solver, worst",
+              "volume by remeshing, worst", "wall time (s)", "µs per tetrahedron and iteration", "peak memory (MiB)"]
+    lines = ["<!-- Written by contrib/benchmarks; do not edit. -->", "",
+             "| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    lines += ["| " + " | ".join(table_row(results)) + " |" for results in usable]
+    lines += ["", "Volume: cumulative, relative to the initial volume. Revision: "
+              + ", ".join(sorted({results.record["revision"] for results in usable})) + ". One thread a run.", ""]
+    if missing:
+        lines += ["Not in the table: " + "; ".join(f"`{results.run.name}` ({results.state})" for results in missing) + ".", ""]
+    path.write_text("\n".join(lines))
+    print(f"Wrote {path}")
+
+
+def draw_spread(name, chosen, path):
+    case = CASES[name]
+    figure, axes = plt.subplots(figsize=(0.8 * WIDTH, 0.5 * WIDTH))
+    for label, diameter, dash in case["lines"]:
+        axes.axhline(diameter, color="0.35", linewidth=1, linestyle=dash, label=label)
+    end = max(results.column(TIME)[-1] for results in chosen)
+    if case["huppert"]:
+        times = np.linspace(0.02 * end, end, 200)
+        axes.plot(times, case["huppert"] * times**0.125, color="0.65", linewidth=1,
+                  label="viscous layer without yield stress (upper bound)")
+    for results in chosen:
+        spread = spreads(results)
+        line, = axes.plot(results.column(TIME), spread.mean(axis=0), linewidth=1.6,
+                          label=f"Lahar, h = {1e3 * results.run.h:g} mm")
+        axes.fill_between(results.column(TIME), spread.min(axis=0), spread.max(axis=0), color=line.get_color(), alpha=0.25,
+                          linewidth=0)
+    axes.set(xlabel="time (s)", ylabel="spread (m)", title=case["title"])
+    axes.grid(linewidth=0.4, color="0.88")
+    axes.margins(x=0)
+    axes.legend(loc="lower right")
+    save(figure, path)
+    plt.close(figure)
+
+
+def draw_views(results, times, path):
+    """Rendered views; without VTK or a display there is a message and no picture."""
+    command = [sys.executable, str(RENDER), str(results.directory), "--times", *times, "--to", str(path)]
+    subprocess.run(["xvfb-run", "-a", *command], check=False)
+
+
+def report(all_results, doc):
+    usable = [results for results in all_results if results.is_usable]
+    missing = [results for results in all_results if not results.is_usable]
+    if not usable:
+        print("slump: no run to report")
+        return
+    write_table(usable, missing, doc / "benchmarks" / "slump_table.md")
+    use_style()
+    for name, case in CASES.items():
+        chosen = sorted((results for results in usable if results.run.label == name), key=lambda results: -results.run.h)
+        if chosen:
+            draw_spread(name, chosen, doc / "figures" / f"slump_{name}_spread.png")
+            draw_views(chosen[-1], case["times"], doc / "figures" / f"slump_{name}_views.png")

@@ -1,0 +1,38 @@
+#!/usr/bin/python3
+"""Runs in space: fluid at rest stays at rest with the hydrostatic pressure (V1); a plane flow is that of the plane."""
+
+from verification import Check, read_run, run_check, volume_changes
+
+LEVEL, WEIGHT = 0.12, 9810.
+GAUGES = {"a": 0.0123, "b": 0.06, "c": 0.11}  # name in the .prm file, height in m
+SIZE = 0.005  # mesh size of the collapse, m
+
+
+def test_rest(check):
+    run = read_run(check.run("three_dimensions/hydrostatic_box.prm"))
+    error = max(abs(run[f"{gauge} pressure (Pa)"] + WEIGHT * (LEVEL - z)).max() for gauge, z in GAUGES.items())
+    speed = max(abs(run[f"{gauge} velocity {d} (m/s)"]).max() for gauge in GAUGES for d in "xyz")
+    check.below("at rest, pressure over that at the bottom", error / (WEIGHT * LEVEL), 1e-8)
+    check.below("at rest, speed at the gauges (m/s)", speed, 1e-10)
+    for cause, change in zip(("solver", "remeshing"), volume_changes(run)):
+        check.below(f"at rest, volume change by {cause}", change, 1e-12)
+
+
+def test_plane_flow(check):
+    space = read_run(check.run("three_dimensions/plane_collapse.prm"))
+    plane = read_run(check.run("three_dimensions/plane_collapse_2d.prm", f"Mesh size={0.5 * SIZE}"))
+    for name in ("front (m)", "height (m)"):
+        difference = abs(space[name][-1] - plane[name][-1])
+        check.below(f"slab in space against the plane, {name[:-4]}, over the mesh size", difference / SIZE, 0.5)
+    for cause, change, limit in zip(("solver", "remeshing"), volume_changes(space), (0.003, 0.01)):
+        check.below(f"slab in space, volume change by {cause}", change, limit)
+
+
+def main():
+    check = Check(__doc__)
+    test_rest(check)
+    test_plane_flow(check)
+    check.finish()
+
+
+run_check(main)
