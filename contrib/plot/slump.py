@@ -9,7 +9,7 @@ from figure_style import WIDTH, plt, save, use_style
 
 CASE = "slump"
 TIME = "Time (s)"
-ANGLES = (0, 45, 90, 135)
+SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
 VOLUME_CHANGES = ("Volume change by solver", "Volume change by remeshing")
 RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 
@@ -19,7 +19,7 @@ CASES = {
     "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.005, 0.003), "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "huppert": None},
-    "abrams": {"file": "prm/slump/abrams_cone.prm", "title": "Abrams cone", "sizes": (0.02, 0.015, 0.01, 0.0075),
+    "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.02, 0.015, 0.01, 0.0075),
                "diameter": 0.2, "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
                # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
                "huppert": 1.788 * (2200. * 9.81 * 5.497787e-3**3 / (3. * 255.))**0.125},
@@ -33,8 +33,8 @@ def runs(make_run):
 
 
 def spreads(results):
-    """Spread in the directions ANGLES, one row each, m."""
-    return np.array([results.column(f"spread {angle} (m)") for angle in ANGLES])
+    """Spread in four directions, one row each, m."""
+    return np.array([results.column(name) for name in SPREADS])
 
 
 def table_row(results):

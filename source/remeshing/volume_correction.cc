@@ -18,6 +18,9 @@ namespace Lahar
     constexpr unsigned int n_rounds           = 5;
     constexpr unsigned int n_smoothing_sweeps = 4;
 
+    /// How far particles are sought that touch no wall, in edges of the mesh.
+    constexpr unsigned int n_rings = 6;
+
     /// A cell of one of the meshes that the other one does not have; volumes of old cells are negative.
     template <int dim>
     struct ChangedCell
@@ -131,32 +134,51 @@ namespace Lahar
                     neighbours[cell[a]].push_back(cell[b]);
               }
           }
+        std::vector<bool> in_contact(cloud.size(), false);
+        for (const Simplex<dim> &cell : mesh.particle_cells())
+          if (std::any_of(cell.begin(), cell.end(),
+                          [&](const unsigned int i) { return cloud.kind[i] != ParticleKind::fluid; }))
+            for (const unsigned int i : cell)
+              in_contact[i] = true;
         movable.assign(cloud.size(), false);
+        preferred.assign(cloud.size(), false);
         for (unsigned int i = 0; i < cloud.size(); ++i)
+        {
           movable[i] = cloud.kind[i] == ParticleKind::fluid && !cloud.on_slip_wall(i) && area[i].norm() > 0.;
+          preferred[i] = movable[i] && !in_contact[i];
+        }
       }
 
       std::vector<Tensor<1, dim>> area;
       std::vector<std::vector<unsigned int>> neighbours; ///< some twice
       std::vector<bool> movable;
+      std::vector<bool>
+        preferred; ///< those that touch no wall and no solid: others may be the front of the flow
     };
 
-    /// The movable particles of the surface nearest to @p start, in steps along the edges of the mesh.
+    /**
+     * The preferred particles of the surface nearest to @p start, in steps along the edges of the mesh; where there are
+     * none within n_rings, the nearest movable ones.
+     */
     template <int dim>
     std::vector<unsigned int> nearest_on_surface(std::vector<unsigned int> start, const Surface<dim> &surface,
                                                  const std::vector<std::vector<unsigned int>> &cells_of,
                                                  const FluidMesh<dim> &mesh, std::vector<bool> &seen)
     {
-      std::vector<unsigned int> found, all = start;
+      std::vector<unsigned int> found, second_choice, all = start;
       for (const unsigned int i : start)
         seen[i] = true;
-      while (found.empty() && !start.empty())
+      for (unsigned int ring = 0;
+           found.empty() && !start.empty() && (ring < n_rings || second_choice.empty()); ++ring)
       {
+        const bool any_movable = !second_choice.empty();
         std::vector<unsigned int> next;
         for (const unsigned int i : start)
         {
-          if (surface.movable[i])
+          if (surface.preferred[i])
             found.push_back(i);
+          else if (surface.movable[i] && !any_movable)
+            second_choice.push_back(i);
           for (const unsigned int cell : cells_of[i])
             for (const unsigned int j : mesh.particle_cells()[cell])
               if (!seen[j])
@@ -170,7 +192,7 @@ namespace Lahar
       }
       for (const unsigned int i : all)
         seen[i] = false;
-      return found;
+      return found.empty() ? second_choice : found;
     }
 
     /// Spread the shares over the surface; their sum stays.
@@ -184,10 +206,10 @@ namespace Lahar
           if (shares[i] != 0.)
           {
             const unsigned int n = std::count_if(surface.neighbours[i].begin(), surface.neighbours[i].end(),
-                                                 [&](const unsigned int j) { return surface.movable[j]; });
+                                                 [&](const unsigned int j) { return surface.preferred[j]; });
             next[i] += (n > 0 ? 0.5 : 1.) * shares[i];
             for (const unsigned int j : surface.neighbours[i])
-              if (surface.movable[j])
+              if (surface.preferred[j])
                 next[j] += 0.5 / n * shares[i];
           }
         shares.swap(next);

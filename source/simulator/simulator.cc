@@ -44,7 +44,9 @@ namespace Lahar
     geometry.parse_parameters(prm, !solids.empty());
     law = FluidLaw::create(prm);
     remesher.parse_parameters(prm);
-    scheme = NonlinearScheme<dim>::create(prm);
+    scheme       = NonlinearScheme<dim>::create(prm);
+    step_control = std::make_unique<StepControl>(parameters.time_step, parameters.minimum_time_step,
+                                                 scheme->max_iterations());
     problem.parse_parameters(prm);
     postprocessors = Postprocessor<dim>::create_all(prm);
   }
@@ -138,21 +140,13 @@ namespace Lahar
     next_output_time = parameters.start_time + parameters.output_interval;
 
     double cell_steps     = 0.;
-    double time_step      = parameters.time_step;
     const double rounding = 1e-10 * parameters.time_step;
     while (time < parameters.end_time - rounding)
     {
-      // End exactly at the end time and at the times of output; a rest below half a step joins the step before.
-      double made       = time_step;
-      const double stop = parameters.output_interval > 0. ? std::min(next_output_time, parameters.end_time)
-                                                          : parameters.end_time;
-      if (time + 1.01 * made > stop)
-        made = stop - time;
-
-      step(made);
+      step(step_control->next(time, parameters.output_interval > 0.
+                                      ? std::min(next_output_time, parameters.end_time)
+                                      : parameters.end_time));
       cell_steps += fluid_mesh.n_cells();
-      time_step = std::min(parameters.time_step,
-                           (made < 0.49 * time_step ? 1. : 2.) * std::max(made, 0.5 * time_step));
 
       TimerOutput::Scope scope(timer, "Output");
       if (parameters.output_interval == 0. || time >= next_output_time - rounding ||
@@ -170,7 +164,7 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::step(double &time_step)
+  void Simulator<dim>::step(double time_step)
   {
     if (step_number > 0 && geometry.has_fluid())
       remesh(time_step);
@@ -189,15 +183,15 @@ namespace Lahar
       {
         std::ostringstream message;
         message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
-        if (0.5 * time_step < parameters.minimum_time_step)
+        if (!step_control->halve(time_step))
         {
           write_statistics();
           throw RunError(message.str());
         }
         progress->message(message.str() + "; repeated with half the step");
         ++n_rejected;
-        time_step *= 0.5;
       }
+    step_control->accept(report.iterations);
 
     move_particles(time_step);
     time += time_step;

@@ -15,8 +15,9 @@ namespace Lahar
    * Cells that the last mesh did not have, and cells that the new one does not have, are joined across their common
    * faces to patches. A patch of the inside covers the same region before and after and changes no volume; one at the
    * free surface or at a contact changes it by δV = Σ V(new) − Σ V(old), and the sum over all patches is the mesh's
-   * change. The nearest particles of the free surface take δV up in shares s_i, smoothed along the surface: with A_i
-   * the sum of the outward area vectors of the surface's faces at particle i over their number of corners,
+   * change. The nearest particles of the free surface that touch no wall or solid (others may be the front of the flow)
+   * take δV up in shares s_i, smoothed along the surface: with A_i the sum of the outward area vectors of the surface's
+   * faces at particle i over their number of corners,
    *
    *   x_i ← x_i − s_i A_i / |A_i|²,
    *

@@ -46,6 +46,11 @@ namespace Lahar
     /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
     NonlinearReport solve(StepProblem<dim> &problem);
 
+    unsigned int max_iterations() const
+    {
+      return maximum_iterations;
+    }
+
   protected:
     using Linearization = typename StepProblem<dim>::Linearization;
 

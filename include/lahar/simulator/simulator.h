@@ -18,6 +18,7 @@
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_parameters.h>
+#include <lahar/simulator/step_control.h>
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/time_integration.h>
 #include <lahar/solid/solids.h>
@@ -64,9 +65,9 @@ namespace Lahar
   private:
     /**
      * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where
-     * they were and is repeated with half the length; @p time_step returns the length that was made.
+     * they were and is repeated with half the length.
      */
-    void step(double &time_step);
+    void step(double time_step);
 
     void remesh(const double time_step);
     void move_particles(const double time_step);
@@ -89,6 +90,7 @@ namespace Lahar
     TimeIntegration time_integration;
     Remesher<dim> remesher;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
+    std::unique_ptr<StepControl> step_control;
 
     Solids<dim> solids;
     ParticleCloud<dim> particles;

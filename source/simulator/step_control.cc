@@ -1,0 +1,51 @@
+#include <lahar/simulator/step_control.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  namespace
+  {
+    constexpr double easy_part              = 0.4;
+    constexpr unsigned int n_easy_to_grow   = 3;
+    constexpr double rest_that_joins_a_step = 0.01;
+  } // namespace
+
+
+
+  StepControl::StepControl(const double largest, const double smallest, const unsigned int maximum_iterations)
+    : largest(largest)
+    , smallest(smallest)
+    , present(largest)
+    , easy_iterations(easy_part * maximum_iterations)
+  {}
+
+
+
+  double StepControl::next(const double time, const double stop) const
+  {
+    return time + (1. + rest_that_joins_a_step) * present > stop ? stop - time : present;
+  }
+
+
+
+  bool StepControl::halve(double &tried)
+  {
+    tried *= 0.5;
+    present = std::min(present, tried);
+    n_easy  = 0;
+    return tried >= smallest;
+  }
+
+
+
+  void StepControl::accept(const unsigned int iterations)
+  {
+    n_easy = iterations <= easy_iterations ? n_easy + 1 : 0;
+    if (n_easy >= n_easy_to_grow && present < largest)
+    {
+      present = std::min(2. * present, largest);
+      n_easy  = 0;
+    }
+  }
+} // namespace Lahar
