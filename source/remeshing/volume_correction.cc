@@ -14,13 +14,6 @@ namespace Lahar
     /// Cells keep this part of their volume.
     constexpr double smallest_part = 0.5;
 
-    /// What the nearest particles cannot take goes on to their neighbours, this many times.
-    constexpr unsigned int n_rounds           = 5;
-    constexpr unsigned int n_smoothing_sweeps = 4;
-
-    /// How far particles are sought that touch no wall, in edges of the mesh.
-    constexpr unsigned int n_rings = 6;
-
     /// A cell of one of the meshes that the other one does not have; volumes of old cells are negative.
     template <int dim>
     struct ChangedCell
@@ -108,112 +101,24 @@ namespace Lahar
       return patches;
     }
 
-    /// The free surface of a mesh, by particle.
+    /// The area vectors of the free surface by particle, outwards: each face gives equal shares to its corners.
     template <int dim>
-    class Surface
+    std::vector<Tensor<1, dim>> surface_areas(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
     {
-    public:
-      Surface(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
-        : area(cloud.size())
-        , neighbours(cloud.size())
-      {
-        for (const BoundaryFace &face : mesh.boundary_faces())
-          if (face.free_surface)
-          {
-            const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
-            const auto corners       = corners_of<dim>(cell, cloud.position);
-            // −d V ∇λ is the outward area vector of the face opposite to a corner.
-            const Tensor<1, dim> face_area = -dim * signed_volume<dim>(corners) *
-                                             shape_gradients<dim>(corners)[face.opposite];
-            for (unsigned int a = 0; a <= dim; ++a)
-              if (a != face.opposite)
-              {
-                area[cell[a]] += face_area / dim;
-                for (unsigned int b = 0; b <= dim; ++b)
-                  if (b != face.opposite && b != a)
-                    neighbours[cell[a]].push_back(cell[b]);
-              }
-          }
-        std::vector<bool> in_contact(cloud.size(), false);
-        for (const Simplex<dim> &cell : mesh.particle_cells())
-          if (std::any_of(cell.begin(), cell.end(),
-                          [&](const unsigned int i) { return cloud.kind[i] != ParticleKind::fluid; }))
-            for (const unsigned int i : cell)
-              in_contact[i] = true;
-        movable.assign(cloud.size(), false);
-        preferred.assign(cloud.size(), false);
-        for (unsigned int i = 0; i < cloud.size(); ++i)
+      std::vector<Tensor<1, dim>> area(cloud.size());
+      for (const BoundaryFace &face : mesh.boundary_faces())
+        if (face.free_surface)
         {
-          movable[i] = cloud.kind[i] == ParticleKind::fluid && !cloud.on_slip_wall(i) && area[i].norm() > 0.;
-          preferred[i] = movable[i] && !in_contact[i];
+          const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
+          const auto corners       = corners_of<dim>(cell, cloud.position);
+          // −d V ∇λ is the area vector of the face opposite to a corner.
+          const Tensor<1, dim> face_area = -dim * signed_volume<dim>(corners) *
+                                           shape_gradients<dim>(corners)[face.opposite];
+          for (unsigned int a = 0; a <= dim; ++a)
+            if (a != face.opposite)
+              area[cell[a]] += face_area / dim;
         }
-      }
-
-      std::vector<Tensor<1, dim>> area;
-      std::vector<std::vector<unsigned int>> neighbours; ///< some twice
-      std::vector<bool> movable;
-      std::vector<bool>
-        preferred; ///< those that touch no wall and no solid: others may be the front of the flow
-    };
-
-    /**
-     * The preferred particles of the surface nearest to @p start, in steps along the edges of the mesh; where there are
-     * none within n_rings, the nearest movable ones.
-     */
-    template <int dim>
-    std::vector<unsigned int> nearest_on_surface(std::vector<unsigned int> start, const Surface<dim> &surface,
-                                                 const std::vector<std::vector<unsigned int>> &cells_of,
-                                                 const FluidMesh<dim> &mesh, std::vector<bool> &seen)
-    {
-      std::vector<unsigned int> found, second_choice, all = start;
-      for (const unsigned int i : start)
-        seen[i] = true;
-      for (unsigned int ring = 0;
-           found.empty() && !start.empty() && (ring < n_rings || second_choice.empty()); ++ring)
-      {
-        const bool any_movable = !second_choice.empty();
-        std::vector<unsigned int> next;
-        for (const unsigned int i : start)
-        {
-          if (surface.preferred[i])
-            found.push_back(i);
-          else if (surface.movable[i] && !any_movable)
-            second_choice.push_back(i);
-          for (const unsigned int cell : cells_of[i])
-            for (const unsigned int j : mesh.particle_cells()[cell])
-              if (!seen[j])
-              {
-                seen[j] = true;
-                next.push_back(j);
-                all.push_back(j);
-              }
-        }
-        start.swap(next);
-      }
-      for (const unsigned int i : all)
-        seen[i] = false;
-      return found.empty() ? second_choice : found;
-    }
-
-    /// Spread the shares over the surface; their sum stays.
-    template <int dim>
-    void smooth(const Surface<dim> &surface, std::vector<double> &shares)
-    {
-      for (unsigned int sweep = 0; sweep < n_smoothing_sweeps; ++sweep)
-      {
-        std::vector<double> next(shares.size(), 0.);
-        for (unsigned int i = 0; i < shares.size(); ++i)
-          if (shares[i] != 0.)
-          {
-            const unsigned int n = std::count_if(surface.neighbours[i].begin(), surface.neighbours[i].end(),
-                                                 [&](const unsigned int j) { return surface.preferred[j]; });
-            next[i] += (n > 0 ? 0.5 : 1.) * shares[i];
-            for (const unsigned int j : surface.neighbours[i])
-              if (surface.preferred[j])
-                next[j] += 0.5 / n * shares[i];
-          }
-        shares.swap(next);
-      }
+      return area;
     }
   } // namespace
 
@@ -225,56 +130,68 @@ namespace Lahar
   {
     const std::vector<ChangedCell<dim>> changed = find_changes(old_domain, mesh, cloud);
     const std::vector<unsigned int> patches     = find_patches<dim>(changed);
+    std::vector<std::vector<unsigned int>> cells_of(cloud.size());
+    std::vector<bool> in_contact(cloud.size(), false);
+    Partition bodies(cloud.size());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      const Simplex<dim> &cell = mesh.particle_cells()[c];
+      const bool at_wall       = std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) {
+        return cloud.kind[i] != ParticleKind::fluid;
+      });
+      for (const unsigned int i : cell)
+      {
+        cells_of[i].push_back(c);
+        in_contact[i] = in_contact[i] || at_wall;
+        if (cloud.kind[i] == ParticleKind::fluid)
+          for (const unsigned int j : cell)
+            if (cloud.kind[j] == ParticleKind::fluid)
+              bodies.join(i, j);
+      }
+    }
+
+    // The change of each patch, and the body that it belongs to.
     std::vector<double> change(changed.size(), 0.), size(changed.size(), 0.);
-    std::vector<std::vector<unsigned int>> corners(changed.size());
+    std::vector<unsigned int> body(changed.size(), numbers::invalid_unsigned_int);
     for (unsigned int c = 0; c < changed.size(); ++c)
     {
       change[patches[c]] += changed[c].volume;
       size[patches[c]] += std::abs(changed[c].volume);
       for (const unsigned int i : changed[c].corners)
-        if (i < cloud.size())
-          corners[patches[c]].push_back(i);
+        if (i < cloud.size() && cloud.kind[i] == ParticleKind::fluid && !cells_of[i].empty())
+          body[patches[c]] = bodies.find(i);
     }
-
-    std::vector<std::vector<unsigned int>> cells_of(cloud.size());
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      for (const unsigned int i : mesh.particle_cells()[c])
-        cells_of[i].push_back(c);
-    const Surface<dim> surface(mesh, cloud);
-    std::vector<double> shares(cloud.size(), 0.);
-    std::vector<bool> seen(cloud.size(), false);
+    std::vector<double> body_change(cloud.size(), 0.);
     for (unsigned int p = 0; p < changed.size(); ++p)
-      if (std::abs(change[p]) > 1e-10 * size[p])
+      if (body[p] != numbers::invalid_unsigned_int && std::abs(change[p]) > 1e-10 * size[p])
+        body_change[body[p]] += change[p];
+
+    // The whole surface of the body moves by the same distance; if all of it touches walls, that part too.
+    const std::vector<Tensor<1, dim>> area = surface_areas(mesh, cloud);
+    std::vector<double> free_area(cloud.size(), 0.), whole_area(cloud.size(), 0.);
+    const auto is_movable = [&](const unsigned int i) {
+      return cloud.kind[i] == ParticleKind::fluid && !cells_of[i].empty() && !cloud.on_slip_wall(i) &&
+             area[i].norm() > 0.;
+    };
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (is_movable(i))
       {
-        std::sort(corners[p].begin(), corners[p].end());
-        corners[p].erase(std::unique(corners[p].begin(), corners[p].end()), corners[p].end());
-        const auto takers = nearest_on_surface<dim>(corners[p], surface, cells_of, mesh, seen);
-        double sum        = 0.;
-        for (const unsigned int i : takers)
-          sum += surface.area[i].norm();
-        for (const unsigned int i : takers)
-          shares[i] += change[p] * surface.area[i].norm() / sum;
+        whole_area[bodies.find(i)] += area[i].norm();
+        if (!in_contact[i])
+          free_area[bodies.find(i)] += area[i].norm();
       }
-    std::vector<double> taken(cloud.size(), 0.);
-    for (unsigned int round = 0; round < n_rounds; ++round)
-    {
-      smooth(surface, shares);
-      for (unsigned int i = 0; i < cloud.size(); ++i)
-        if (shares[i] != 0.)
-        {
-          const double limit = longest_shift * cloud.spacing[i] * surface.area[i].norm();
-          const double sum   = std::max(-limit, std::min(limit, taken[i] + shares[i]));
-          shares[i] -= sum - taken[i];
-          taken[i] = sum;
-        }
-    }
 
     std::vector<unsigned int> moved;
     const std::vector<Point<dim>> old_position = cloud.position;
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (taken[i] != 0.)
+      if (is_movable(i) && body_change[bodies.find(i)] != 0.)
       {
-        const Tensor<1, dim> shift = -taken[i] / surface.area[i].norm_square() * surface.area[i];
+        const unsigned int b = bodies.find(i);
+        if (in_contact[i] && free_area[b] > 0.)
+          continue;
+        const double limit         = longest_shift * cloud.spacing[i];
+        const double distance      = -body_change[b] / (free_area[b] > 0. ? free_area[b] : whole_area[b]);
+        const Tensor<1, dim> shift = std::max(-limit, std::min(limit, distance)) / area[i].norm() * area[i];
         if (!walls.crossed(cloud.position[i], cloud.position[i] + shift, 0.).empty())
           continue;
         cloud.position[i] += shift;
