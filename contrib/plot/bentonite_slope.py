@@ -1,12 +1,12 @@
 """The benchmark of bentonite on a slope (Franci & Zhang 2018, Section 5.3): its runs, table, figures."""
 
 import numpy as np
-from figure_style import WIDTH, plt, save, use_style
+from benchmark_table import divide, state_if_unfinished, worst_changes, write_table
+from figure_style import WIDTH, finish_axes, plt, save, use_style
 
 CASE = "bentonite_slope"
 TIME, FRONT = "Time (s)", "front (m)"
 GRAVITY = 9.81
-VOLUME_CHANGES = ("Volume change by solver", "Volume change by remeshing")
 
 # Reservoir L0, H0 (m), yield stresses (Pa): unloading, mean, loading.
 CASES = {"a": (0.3024, 0.0756, (21.1, 93.05, 165)), "b": (0.2928, 0.0732, (14, 32, 50))}
@@ -49,29 +49,21 @@ def table_row(results):
     case, shape = run.label.split()
     times, front = scaled(results)
     iterations = results.column("Nonlinear iterations")
-    worst = [f"{100 * change[np.abs(change).argmax()]:+.2f} %" for change in map(results.column, VOLUME_CHANGES)]
     guide = LUBRICATION.get((case, shape, run.tau0))
     shape = f"block, m = {shape[1:]} s" if shape.startswith("m") else shape
-    return [case.upper(), shape, f"{run.tau0:g}", f"{time[-1]:.3g}" + ("" if results.is_finished else f" ({results.state})"),
+    return [case.upper(), shape, f"{run.tau0:g}", f"{time[-1]:.3g}" + state_if_unfinished(results),
             *(f"{np.interp(t, times, front):.2f}" if t <= times[-1] else "–" for t in (2, 4, 6, 10)), f"{front[-1]:.2f}",
             f"{1e3 * speed_at_end(results):.0f}", f"{guide:.2f}" if guide else "–",
-            f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{results.column('Rejected steps')[-1]:.0f}", *worst,
+            f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{results.column('Rejected steps')[-1]:.0f}", *worst_changes(results),
             f"{results.column('Wall time (s)')[-1]:.0f}"]
 
 
-def write_table(usable, missing, path):
+def write_results(usable, missing, path):
     header = ["case", "reservoir", "τ0 (Pa)", "time reached (s)", "front X/H0 at t* = 2", "4", "6", "10", "at the end",
               "speed of the front there (mm/s)", "arrested, lubrication theory", "iterations, median / largest",
               "rejected steps", "volume by solver, worst", "volume by remeshing, worst", "wall time (s)"]
-    lines = ["<!-- Written by contrib/benchmarks; do not edit. -->", "",
-             "| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(table_row(results)) + " |" for results in usable]
-    lines += ["", "h = 0.006 m, time step 1e-3 s, t* = t sqrt(g/H0). Volume: cumulative, relative to the initial volume. "
-              "Revision: " + ", ".join(sorted({results.record["revision"] for results in usable})) + ".", ""]
-    if missing:
-        lines += ["Not in the table: " + "; ".join(f"`{results.run.name}` ({results.state})" for results in missing) + ".", ""]
-    path.write_text("\n".join(lines))
-    print(f"Wrote {path}")
+    write_table(header, map(table_row, usable), "h = 0.006 m, time step 1e-3 s, t* = t sqrt(g/H0). Volume: cumulative, "
+                "relative to the initial volume.", usable, missing, path)
 
 
 def draw_fronts(usable, path):
@@ -82,10 +74,7 @@ def draw_fronts(usable, path):
                 for results in usable:
                     if results.run.label == f"{case} {shape}" and results.run.tau0 == tau0:
                         axes.plot(*scaled(results), color=color, linestyle=dash, label=f"$\\tau_0$ = {tau0:g} Pa, {shape}")
-        axes.set(xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$", title=f"case {case.upper()}")
-        axes.grid(linewidth=0.4, color="0.88")
-        axes.margins(x=0)
-        axes.legend()
+        finish_axes(axes, xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$", title=f"case {case.upper()}")
     save(figure, path)
     plt.close(figure)
 
@@ -96,21 +85,17 @@ def draw_regularization(usable, path):
         for results in usable:
             if results.run.label == label and results.run.tau0 == 93.05:
                 axes.plot(*scaled(results), label=f"m = {m} s")
-    axes.set(xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$", title="case A, block, $\\tau_0$ = 93.05 Pa")
-    axes.grid(linewidth=0.4, color="0.88")
-    axes.margins(x=0)
-    axes.legend()
+    finish_axes(axes, xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$",
+                title="case A, block, $\\tau_0$ = 93.05 Pa")
     save(figure, path)
     plt.close(figure)
 
 
 def report(all_results, doc, draw_snapshots):
-    usable = [results for results in all_results if results.is_usable]
-    missing = [results for results in all_results if not results.is_usable]
+    usable, missing = divide(all_results, CASE)
     if not usable:
-        print("bentonite_slope: no run to report")
         return
-    write_table(usable, missing, doc / "benchmarks" / "bentonite_slope_table.md")
+    write_results(usable, missing, doc / "benchmarks" / "bentonite_slope_table.md")
     use_style()
     draw_fronts(usable, doc / "figures" / "bentonite_slope_front.png")
     draw_regularization(usable, doc / "figures" / "bentonite_slope_regularization.png")

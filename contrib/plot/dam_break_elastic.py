@@ -3,7 +3,8 @@
 import pathlib
 
 import numpy as np
-from figure_style import WIDTH, plt, save, use_style
+from benchmark_table import VOLUME_CHANGES, divide, state_if_unfinished, worst_changes, write_table
+from figure_style import WIDTH, finish_axes, plt, save, use_style
 
 REFERENCE = pathlib.Path(__file__).resolve().parents[2] / "prm/dam_break_barrier/reference/elastic_barrier_tip_newtonian.csv"
 
@@ -12,7 +13,6 @@ FILE = "prm/dam_break_barrier/elastic_2d.prm"
 TIME, TIP = "Time (s)", "tip x (m)"
 COARSE = (0.012, 0.010, 0.008, 0.006)
 INSTANTS = (0.05, 0.15, 0.30, 0.50)
-VOLUME_CHANGES = ("Volume change by solver", "Volume change by remeshing")
 # Columns of the reference file, which names the sources.
 PUBLISHED = {"kratos": "Kratos PFEM–FEM", "meduri2018": "Meduri et al. 2018", "cerquaglia2019": "Cerquaglia et al. 2019",
              "ryzhakov": "Ryzhakov et al. 2010"}
@@ -76,42 +76,29 @@ def table_row(results):
     wall_time, memory = results.column("Wall time (s)")[-1], record.get("peak memory (MiB)")
     largest, when = peak(results)
     changes = [results.column(name) for name in VOLUME_CHANGES]
-    worst = [f"{100 * change[np.abs(change).argmax()]:+.2f} %" for change in changes]
-    return [f"{run.tau0}", f"{run.h:g}", run.label + ("" if results.is_finished else f" ({results.state})"),
+    return [f"{run.tau0}", f"{run.h:g}", run.label + state_if_unfinished(results),
             f"{results.column('Solid cells')[0]:.0f}", f"{1e3 * largest:.1f}", f"{when:.3f}", f"{passing_time(results):.4f}",
             f"{1e3 * results.column(TIP)[-1]:.1f}", f"{results.column('front (m)')[-1]:.3f}",
-            f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{results.column('Rejected steps')[-1]:.0f}", *worst,
+            f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{results.column('Rejected steps')[-1]:.0f}", *worst_changes(results),
             f"{100 * sum(change[-1] for change in changes):+.2f} %",
             f"{results.column('Mended contour facets')[-1]:.0f}", f"{results.column('Particles kept out of solids')[-1]:.0f}",
             f"{wall_time:.0f}", f"{1e6 * wall_time / (cells * iterations).sum():.1f}", f"{memory:.0f}" if memory else "–"]
 
 
-def write_table(usable, missing, path):
+def write_results(usable, missing, path):
     header = ["τ0 (Pa)", "h (m)", "solid", "solid cells", "largest deflection (mm)", "at (s)", "passes 1 mm at (s)",
               "at the end (mm)", "front at the end (m)", "iterations, median / largest", "rejected steps",
               "volume by solver, worst", "volume by remeshing, worst", "volume at the end", "contour facets mended",
               "particles kept out", "wall time (s)", "µs per triangle and iteration", "peak memory (MiB)"]
-    lines = ["<!-- Written by contrib/benchmarks; do not edit. -->", "",
-             "| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(table_row(results)) + " |" for results in usable]
-    lines += ["", "Time step 1e-3 s, 5e-4 s for h = 0.002 m. Volume: cumulative, relative to the initial volume. Revision: "
-              + ", ".join(sorted({results.record["revision"] for results in usable}))
-              + ". One thread a run, two runs side by side on two cores.", ""]
-    if missing:
-        lines += ["Not in the table: " + "; ".join(f"`{name_of(results)}` ({results.state})" for results in missing) + ".", ""]
-    path.write_text("\n".join(lines))
-    print(f"Wrote {path}")
+    write_table(header, map(table_row, usable), "Time step 1e-3 s, 5e-4 s for h = 0.002 m. Volume: cumulative, relative to "
+                "the initial volume. One thread a run, two runs side by side on two cores.", usable, missing, path)
 
 
 # ------------------------------------------------------------------------------------------------------- figures
 
 
 def tip_axes(axes):
-    axes.set(xlabel="time (s)", ylabel="tip displacement (mm)")
-    axes.grid(linewidth=0.4, color="0.88")
-    axes.margins(x=0)
-    axes.tick_params(top=True, right=True)
-    axes.legend()
+    finish_axes(axes, xlabel="time (s)", ylabel="tip displacement (mm)")
 
 
 def plot_tip(axes, results, **style):
@@ -187,12 +174,10 @@ def draw_family(all_results, labels, path):
 
 
 def report(all_results, doc, draw_snapshots):
-    usable = [results for results in all_results if results.is_usable]
-    missing = [results for results in all_results if not results.is_usable]
+    usable, missing = divide(all_results, CASE)
     if not usable:
-        print(f"{CASE}: no run to report")
         return
-    write_table(usable, missing, doc / "benchmarks" / f"{CASE}_table.md")
+    write_results(usable, missing, doc / "benchmarks" / f"{CASE}_table.md")
 
     use_style()
     figures = doc / "figures"

@@ -25,6 +25,15 @@ def use_style():
     })
 
 
+def finish_axes(axes, legend="best", **labels):
+    """Labels, grid, ticks and legend of a plot of curves."""
+    axes.set(**labels)
+    axes.grid(linewidth=0.4, color="0.88")
+    axes.margins(x=0)
+    axes.tick_params(top=True, right=True)
+    axes.legend(loc=legend)
+
+
 def save(figure, path):
     """Write @p figure in the format that the ending of @p path names."""
     try:

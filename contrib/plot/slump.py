@@ -1,16 +1,17 @@
 """The benchmarks of slumping cones in space (Franci & Zhang 2018, Section 5.2): their runs, table, figures."""
 
 import pathlib
+import shutil
 import subprocess
 import sys
 
 import numpy as np
-from figure_style import WIDTH, plt, save, use_style
+from benchmark_table import divide, state_if_unfinished, worst_changes, write_table
+from figure_style import WIDTH, finish_axes, plt, save, use_style
 
 CASE = "slump"
 TIME = "Time (s)"
 SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
-VOLUME_CHANGES = ("Volume change by solver", "Volume change by remeshing")
 RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
@@ -42,34 +43,25 @@ def table_row(results):
     iterations, cells = results.column("Nonlinear iterations"), results.column("Fluid cells")
     linear, wall_time = results.column("Linear iterations"), results.column("Wall time (s)")[-1]
     spread = spreads(results)
-    changes = [results.column(name) for name in VOLUME_CHANGES]
-    worst = [f"{100 * change[np.abs(change).argmax()]:+.2f} %" for change in changes]
     memory = record.get("peak memory (MiB)")
     # The front advances in jumps: the largest one between two steps, after the first tenth of the run.
     jumps = np.diff(spread[0])[len(times) // 10:]
     return [CASES[run.label]["title"], f"{1e3 * run.h:g}",
-            f"{cells[0]:.0f}", f"{times[-1]:.3g}" + ("" if results.is_finished else f" ({results.state})"),
+            f"{cells[0]:.0f}", f"{times[-1]:.3g}" + state_if_unfinished(results),
             f"{spread[:, -1].mean():.4f}", f"{np.ptp(spread[:, -1]) / run.h:.2f}", f"{results.column('height (m)')[-1]:.4f}",
             f"{jumps.max() / run.h:.2f}" if len(jumps) else "–",
             f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{linear.sum() / iterations.sum():.1f}",
-            f"{results.column('Rejected steps')[-1]:.0f}", *worst, f"{wall_time:.0f}",
+            f"{results.column('Rejected steps')[-1]:.0f}", *worst_changes(results), f"{wall_time:.0f}",
             f"{1e6 * wall_time / (cells * iterations).sum():.1f}", f"{memory:.0f}" if memory else "–"]
 
 
-def write_table(usable, missing, path):
+def write_results(usable, missing, path):
     header = ["case", "h (mm)", "tetrahedra at the start", "time reached (s)", "spread, mean of four directions (m)",
               "largest difference between directions / h", "height (m)", "largest jump of the front in a step / h",
               "iterations, median / largest", "linear iterations per solve", "rejected steps", "volume by solver, worst",
               "volume by remeshing, worst", "wall time (s)", "µs per tetrahedron and iteration", "peak memory (MiB)"]
-    lines = ["<!-- Written by contrib/benchmarks; do not edit. -->", "",
-             "| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(table_row(results)) + " |" for results in usable]
-    lines += ["", "Volume: cumulative, relative to the initial volume. Revision: "
-              + ", ".join(sorted({results.record["revision"] for results in usable})) + ". One thread a run.", ""]
-    if missing:
-        lines += ["Not in the table: " + "; ".join(f"`{results.run.name}` ({results.state})" for results in missing) + ".", ""]
-    path.write_text("\n".join(lines))
-    print(f"Wrote {path}")
+    write_table(header, map(table_row, usable), "Volume: cumulative, relative to the initial volume. One thread a run.",
+                usable, missing, path)
 
 
 def draw_spread(name, chosen, path):
@@ -88,27 +80,25 @@ def draw_spread(name, chosen, path):
                           label=f"Lahar, h = {1e3 * results.run.h:g} mm")
         axes.fill_between(results.column(TIME), spread.min(axis=0), spread.max(axis=0), color=line.get_color(), alpha=0.25,
                           linewidth=0)
-    axes.set(xlabel="time (s)", ylabel="spread (m)", title=case["title"])
-    axes.grid(linewidth=0.4, color="0.88")
-    axes.margins(x=0)
-    axes.legend(loc="lower right")
+    finish_axes(axes, "lower right", xlabel="time (s)", ylabel="spread (m)", title=case["title"])
     save(figure, path)
     plt.close(figure)
 
 
 def draw_views(results, times, path):
     """Rendered views; without VTK or a display there is a message and no picture."""
+    if not shutil.which("xvfb-run"):
+        print(f"Left out: {path} (no xvfb-run; Debian: apt install xvfb xauth)")
+        return
     command = [sys.executable, str(RENDER), str(results.directory), "--times", *times, "--to", str(path)]
     subprocess.run(["xvfb-run", "-a", *command], check=False)
 
 
 def report(all_results, doc):
-    usable = [results for results in all_results if results.is_usable]
-    missing = [results for results in all_results if not results.is_usable]
+    usable, missing = divide(all_results, CASE)
     if not usable:
-        print("slump: no run to report")
         return
-    write_table(usable, missing, doc / "benchmarks" / "slump_table.md")
+    write_results(usable, missing, doc / "benchmarks" / "slump_table.md")
     use_style()
     for name, case in CASES.items():
         chosen = sorted((results for results in usable if results.run.label == name), key=lambda results: -results.run.h)

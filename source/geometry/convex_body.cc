@@ -34,14 +34,17 @@ namespace Lahar
 
 
 
-  ConvexBody::ConvexBody(const std::string &name, const std::vector<Point<3>> &points)
+  ConvexBody::ConvexBody(const std::string &name, const std::vector<Point<3>> &corners)
     : FluidBody<3>(name)
-    , points(points)
   {
     double size = 0.;
-    for (const Point<3> &p : points)
-      size = std::max(size, p.distance(points[0]));
+    for (const Point<3> &p : corners)
+      size = std::max(size, p.distance(corners[0]));
     const double tolerance = 1e-9 * size;
+    for (const Point<3> &p : corners)
+      if (std::none_of(points.begin(), points.end(),
+                       [&](const Point<3> &q) { return p.distance(q) <= tolerance; }))
+        points.push_back(p);
 
     // A body has few corners: every plane through three of them that has all others on one side holds a face.
     const unsigned int n = points.size();

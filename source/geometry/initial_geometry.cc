@@ -8,9 +8,6 @@ namespace Lahar
 {
   namespace
   {
-    /// What lies nearer to a wall or to a solid than this times h touches it.
-    constexpr double touching = 1e-3;
-
     template <int dim>
     std::string to_text(const Point<dim> &p)
     {

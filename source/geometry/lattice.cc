@@ -50,11 +50,8 @@ namespace Lahar
     std::vector<Point<3>> points;
     PointSet<3> places;
     for (const Point<3> &p : contour)
-      if (places.near(p, 0.5 * h).empty())
-      {
-        places.insert(p);
+      if (places.insert_if_free(p, 0.5 * h))
         points.push_back(p);
-      }
     const unsigned int n_contour = points.size();
 
     const double a   = lattice_constant * h;

@@ -30,6 +30,17 @@ namespace Lahar
 
 
 
+  template <int dim>
+  bool PointSet<dim>::insert_if_free(const Point<dim> &point, const double distance)
+  {
+    const bool is_free = near(point, distance).empty();
+    if (is_free)
+      insert(point);
+    return is_free;
+  }
+
+
+
   template class PointSet<2>;
   template class PointSet<3>;
 } // namespace Lahar

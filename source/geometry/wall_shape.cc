@@ -29,7 +29,7 @@ namespace Lahar
       const Point<2> &b = corners[(i + 1) % corners.size()];
       std::vector<Point<2>> on_piece;
       for (const Point<2> &p : contacts)
-        if (distance_to_segment(p, a, b) < 1e-3 * h && p.distance(a) > 0.5 * h && p.distance(b) > 0.5 * h)
+        if (distance_to_segment(p, a, b) < touching * h && p.distance(a) > 0.5 * h && p.distance(b) > 0.5 * h)
           on_piece.push_back(p);
       std::sort(on_piece.begin(), on_piece.end(), [&a](const Point<2> &p, const Point<2> &q) {
         return p.distance_square(a) < q.distance_square(a);
@@ -79,14 +79,10 @@ namespace Lahar
     std::vector<Point<3>> result;
     PointSet<3> places;
     for (const Point<3> &p : contacts)
-      if (places.near(p, 0.1 * h).empty())
-      {
-        places.insert(p);
+      if (places.insert_if_free(p, 0.1 * h))
         result.push_back(p);
-      }
-    const PointSet<3> touched = places;
     for (const Point<3> &p : PlanePolygon(corners).fill(h))
-      if (touched.near(p, 0.6 * h).empty())
+      if (places.near(p, 0.6 * h).empty())
         result.push_back(p);
     return result;
   }

@@ -18,7 +18,8 @@ namespace Lahar
     static void declare_parameters(Parameters &prm)
     {
       prm.declare_entry(
-        "Extents", "front: max x, height: max y", Patterns::Anything(),
+        "Extents", dim == 2 ? "front: max x, height: max y" : "front: max x, height: max z",
+        Patterns::Anything(),
         "Columns '<name> (m)' and what they hold, 'name: max|min|extent x|y|z', separated by commas. "
         "'extent' is the largest less the smallest coordinate. In place of a coordinate there may be the "
         "angle in degrees, counted from x towards y, of a direction in the plane of x and y.");
@@ -82,7 +83,7 @@ namespace Lahar
       const std::vector<std::string> rule = name_and_rule.size() == 2 ? split_list(name_and_rule[1], ' ')
                                                                       : name_and_rule;
       const Tensor<1, dim> direction      = rule.size() == 2 ? direction_of(rule[1]) : Tensor<1, dim>();
-      if (name_and_rule.size() != 2 || name_and_rule[0].empty() || direction.norm() == 0. ||
+      if (name_and_rule.size() != 2 || name_and_rule[0].empty() || !(direction.norm() > 0.) ||
           (rule[0] != "max" && rule[0] != "min" && rule[0] != "extent") ||
           std::any_of(extents.begin(), extents.end(),
                       [&](const Extent &e) { return e.name == name_and_rule[0]; }))

@@ -1,8 +1,9 @@
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/remeshing/volume_correction.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <numeric>
 
 namespace Lahar
 {
@@ -20,32 +21,6 @@ namespace Lahar
     {
       Simplex<dim> corners;
       double volume;
-    };
-
-    /// Sets of numbers that are joined one after the other.
-    class Partition
-    {
-    public:
-      explicit Partition(const unsigned int n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), 0U);
-      }
-
-      unsigned int find(unsigned int i)
-      {
-        for (; parent[i] != i; i = parent[i])
-          parent[i] = parent[parent[i]];
-        return i;
-      }
-
-      void join(const unsigned int i, const unsigned int j)
-      {
-        parent[find(i)] = find(j);
-      }
-
-    private:
-      std::vector<unsigned int> parent;
     };
 
     template <int dim>
@@ -91,13 +66,13 @@ namespace Lahar
           faces.emplace_back(face, c);
         }
       std::sort(faces.begin(), faces.end());
-      Partition partition(changed.size());
+      boost::disjoint_sets_with_storage<> partition(changed.size());
       for (unsigned int i = 1; i < faces.size(); ++i)
         if (faces[i].first == faces[i - 1].first)
-          partition.join(faces[i].second, faces[i - 1].second);
+          partition.union_set(faces[i].second, faces[i - 1].second);
       std::vector<unsigned int> patches;
       for (unsigned int c = 0; c < changed.size(); ++c)
-        patches.push_back(partition.find(c));
+        patches.push_back(partition.find_set(c));
       return patches;
     }
 
@@ -132,7 +107,7 @@ namespace Lahar
     const std::vector<unsigned int> patches     = find_patches<dim>(changed);
     std::vector<std::vector<unsigned int>> cells_of(cloud.size());
     std::vector<bool> in_contact(cloud.size(), false);
-    Partition bodies(cloud.size());
+    boost::disjoint_sets_with_storage<> bodies(cloud.size());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       const Simplex<dim> &cell = mesh.particle_cells()[c];
@@ -146,7 +121,7 @@ namespace Lahar
         if (cloud.kind[i] == ParticleKind::fluid)
           for (const unsigned int j : cell)
             if (cloud.kind[j] == ParticleKind::fluid)
-              bodies.join(i, j);
+              bodies.union_set(i, j);
       }
     }
 
@@ -159,7 +134,7 @@ namespace Lahar
       size[patches[c]] += std::abs(changed[c].volume);
       for (const unsigned int i : changed[c].corners)
         if (i < cloud.size() && cloud.kind[i] == ParticleKind::fluid && !cells_of[i].empty())
-          body[patches[c]] = bodies.find(i);
+          body[patches[c]] = bodies.find_set(i);
     }
     std::vector<double> body_change(cloud.size(), 0.);
     for (unsigned int p = 0; p < changed.size(); ++p)
@@ -176,17 +151,17 @@ namespace Lahar
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (is_movable(i))
       {
-        whole_area[bodies.find(i)] += area[i].norm();
+        whole_area[bodies.find_set(i)] += area[i].norm();
         if (!in_contact[i])
-          free_area[bodies.find(i)] += area[i].norm();
+          free_area[bodies.find_set(i)] += area[i].norm();
       }
 
     std::vector<unsigned int> moved;
     const std::vector<Point<dim>> old_position = cloud.position;
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (is_movable(i) && body_change[bodies.find(i)] != 0.)
+      if (is_movable(i) && body_change[bodies.find_set(i)] != 0.)
       {
-        const unsigned int b = bodies.find(i);
+        const unsigned int b = bodies.find_set(i);
         if (in_contact[i] && free_area[b] > 0.)
           continue;
         const double limit         = longest_shift * cloud.spacing[i];

@@ -102,7 +102,8 @@ int main()
 
   test_body("box", {{"Fluid boxes", "-0.5, 0, 0 : 0.5, 0.8, 0.6"}}, 0.48, 1e-10, 0.1);
   test_body("wedge",
-            {{"Fluid polyhedra", "0, 0, 0 : 1.2, 0, 0 : 1.2, 0, 0.6 : 0, 1, 0 : 1.2, 1, 0 : 1.2, 1, 0.6"}},
+            {{"Fluid polyhedra",
+              "0, 0, 0 : 1.2, 0, 0 : 1.2, 0, 0.6 : 0, 1, 0 : 1.2, 1, 0 : 1.2, 1, 0.6 : 0, 0, 0"}},
             0.36, 0.02, 0.1);
   const auto cone = [](const double R, const double r, const double H) {
     return numbers::PI / 3. * H * (R * R + R * r + r * r);

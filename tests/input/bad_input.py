@@ -90,7 +90,7 @@ def wrong(entry, value, *parts, more=()):
 
 
 def test_refused():
-    for entry, value in [("Dimension", "4"), ("Dimension", "two"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
+    for entry, value in [("Dimension", "4"), ("Remeshing/Keep volume", "yes"), ("Dimension", "two"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
                          ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
                          ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),
                          ("Output interval", "-1"), ("Gravity", "0"), ("Gravity", "0, down"), ("Gravity", "0, 0, -9.81"),

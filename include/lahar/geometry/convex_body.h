@@ -13,8 +13,9 @@ namespace Lahar
   class ConvexBody : public FluidBody<3>
   {
   public:
-    /// @param points its corners; points inside the hull do no harm. @throws InputError if they lie in a plane.
-    ConvexBody(const std::string &name, const std::vector<Point<3>> &points);
+    /// @param corners in any order; points inside the hull and corners given twice do no harm.
+    /// @throws InputError if they lie in a plane.
+    ConvexBody(const std::string &name, const std::vector<Point<3>> &corners);
 
     Box<3> box() const override;
     double signed_distance(const Point<3> &point) const override;

@@ -17,6 +17,7 @@ namespace Lahar
     /// Open a mesh file. @throws InputError unless it is a regular file that can be read.
     explicit LineReader(const std::string &file_name);
 
+    /// @throws InputError with file and line, what was @p found and what is @p allowed.
     [[noreturn]] void fail(const std::string &found, const std::string &allowed) const;
 
     /// Go to the next line. @return false at the end of the file.
@@ -28,14 +29,18 @@ namespace Lahar
     /// What is left of the line, without blanks around it.
     std::string_view rest() const;
 
+    /// The next word. @throws InputError if the line has ended; @p expected says what should have come.
     std::string_view word(const std::string_view expected);
 
     /// The next word as a number that is finite and fits into @p Number: double, int or unsigned int.
+    /// @throws InputError otherwise.
     template <typename Number>
     Number number(const std::string_view expected);
 
+    /// The next word as a number from 0 on. @throws InputError otherwise.
     std::size_t count(const std::string_view expected);
 
+    /// @throws InputError if something is left of the line.
     void end_line() const;
 
   private:

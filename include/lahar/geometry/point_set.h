@@ -19,6 +19,9 @@ namespace Lahar
 
     void insert(const Point<dim> &point);
 
+    /// Insert @p point unless there is one nearer to it than @p distance (m). @return whether it was inserted.
+    bool insert_if_free(const Point<dim> &point, const double distance);
+
   private:
     using Entry = std::pair<Point<dim>, unsigned int>;
     RTree<Entry> tree;

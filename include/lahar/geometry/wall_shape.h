@@ -8,6 +8,9 @@
 
 namespace Lahar
 {
+  /// What lies nearer to a wall or to a solid than this times h touches it.
+  constexpr double touching = 1e-3;
+
   /**
    * A rigid wall as the user gives it: a polyline in the plane, a convex plane polygon in space.
    */

@@ -21,11 +21,12 @@ namespace Lahar
    * carried along by the flow.
    * - Inside it, a simplex stays fluid as long as R < α_keep h. Here and at walls, the longest edge counts instead of R
    *   if it is shorter: a flat simplex between a particle and the wall before it stays.
-   * - Outside it, a simplex becomes fluid where fluid meets a wall, a solid or fluid: it shrinks, and the gap (between
-   *   its fluid and its other corners; with fluid corners only, its smallest height) is below 0.15 h or closes within
-   *   the next step (with walls R < α_keep h, else R < α h). In a hollow of one surface, where edges of the last mesh
-   *   join the corners, R < 0.8 h too: what is flatter is a bent surface and no gap. A wider gap would turn more air
-   *   into fluid: with R < 0.8 h alone, a common choice, a splash gains 20 % of volume, with this rule 1 %.
+   * - Outside it, a simplex becomes fluid where fluid meets a wall, a solid or fluid: it shrinks (by 1e-6 of its
+   *   volume or more in the next step), and the gap (between its fluid and its other corners; with fluid corners only,
+   *   its smallest height) is below 0.15 h or closes within the next step (with walls R < α_keep h, else R < α h). In a
+   *   hollow of one surface, where edges of the last mesh join the corners, R < 0.8 h too: what is flatter is a bent
+   *   surface and no gap. A wider gap would turn more air into fluid: with R < 0.8 h alone, a common choice, a splash
+   *   gains 20 % of volume, with this rule 1 %.
    * - Or, with dry and wet wall particles, if the fluid has spread along the wall: each dry one has a fluid particle
    *   nearer to it than to the simplex's wet ones, and the gap is below 0.6 h (R < α h).
    * - But never with an isolated particle as a corner: a flat cell would give it hardly any mass, and too little to
