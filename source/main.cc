@@ -22,7 +22,7 @@ namespace
     std::string file_name;
     std::vector<std::string> overrides;
     std::string print_format;
-    bool check = false;
+    bool check = false, resume = false;
   };
 
   constexpr const char *usage =
@@ -36,6 +36,7 @@ namespace
     visible.add_options()("set", po::value(&line.overrides)->composing(),
                           "override one entry: --set \"Section/Subsection/Entry=value\" (repeatable)")(
       "check", po::bool_switch(&line.check), "read, validate, build the initial mesh, report sizes, stop")(
+      "resume", po::bool_switch(&line.resume), "go on from the checkpoint in the output directory")(
       "print-parameters", po::value(&line.print_format),
       "print every entry with default and documentation: prm, json or latex")("help", "print this text")(
       "version", "print the version");
@@ -249,6 +250,8 @@ namespace
                        std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) + ".");
     Simulator<dim> simulator(prm, MPI_COMM_WORLD);
     simulator.initialize();
+    if (line.resume)
+      simulator.resume();
     if (line.check)
     {
       std::cout << simulator.sizes() << std::endl;

@@ -276,6 +276,14 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void DirectSolver<dim>::forget()
+  {
+    whole.pattern = 0;
+  }
+
+
+
   template class DirectSolver<2>;
   template class DirectSolver<3>;
 } // namespace Lahar

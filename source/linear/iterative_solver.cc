@@ -149,6 +149,14 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void IterativeSolver<dim>::forget()
+  {
+    inverse.reset();
+  }
+
+
+
   template class IterativeSolver<2>;
   template class IterativeSolver<3>;
 } // namespace Lahar

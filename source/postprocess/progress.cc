@@ -22,11 +22,13 @@ namespace Lahar
 
 
 
-  Progress::Progress(const std::string &directory, const double start_time, const double end_time)
-    : log(directory + "/log")
+  Progress::Progress(const std::string &directory, const double start_time, const double end_time,
+                     const double earlier_wall_time)
+    : log(directory + "/log", earlier_wall_time > 0. ? std::ios::app : std::ios::out)
     , on_terminal(isatty(STDOUT_FILENO))
     , start_time(start_time)
     , end_time(end_time)
+    , earlier_wall_time(earlier_wall_time)
     , start(std::chrono::steady_clock::now())
   {}
 
@@ -34,7 +36,8 @@ namespace Lahar
 
   double Progress::wall_time() const
   {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return earlier_wall_time +
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
 

@@ -15,10 +15,24 @@ namespace Lahar
       "A step that fails is repeated in halves down to this length in s, then the run stops; 0 means a "
       "sixty-fourth of the time step.");
     prm.declare_entry(
+      "Largest movement", "2", Patterns::Anything(),
+      "How far particles of the mesh may move in a step, in units of their spacing, above zero. "
+      "Where they are faster, the step is halved; if they accelerate to twice as much within a "
+      "step, it is repeated in halves.");
+    prm.declare_entry(
       "Mesh size", "0.01", Patterns::Anything(),
       "Distance of neighbouring particles in m, above zero and at most the size of every body.");
     prm.declare_entry("Output interval", "0.01", Patterns::Anything(),
                       "Time between the snapshots for ParaView in s, zero or above; 0 writes every step.");
+    prm.enter_subsection("Checkpoint");
+    prm.declare_entry(
+      "Steps between", "0", Patterns::Anything(),
+      "Write a checkpoint whenever this number of time steps is done; 0: steps do not count.");
+    prm.declare_entry(
+      "Minutes between", "10", Patterns::Anything(),
+      "Write a checkpoint whenever this wall time in minutes has passed; 0: it does not count. "
+      "There is one at the end of a run, too, and when it is stopped by SIGINT or SIGTERM.");
+    prm.leave_subsection();
   }
 
 
@@ -40,7 +54,12 @@ namespace Lahar
       prm.throw_wrong_value("Minimum time step", "at most 'Time step', which is " + prm.get("Time step"));
     if (minimum_time_step == 0.)
       minimum_time_step = time_step / 64.;
-    mesh_size       = prm.get_positive("Mesh size");
-    output_interval = prm.get_positive("Output interval", true);
+    largest_movement = prm.get_positive("Largest movement");
+    mesh_size        = prm.get_positive("Mesh size");
+    output_interval  = prm.get_positive("Output interval", true);
+    prm.enter_subsection("Checkpoint");
+    steps_between_checkpoints = prm.get_count("Steps between", 0, 1000000000);
+    time_between_checkpoints  = 60. * prm.get_positive("Minutes between", true);
+    prm.leave_subsection();
   }
 } // namespace Lahar

@@ -1,8 +1,12 @@
 #include <lahar/boundary/free_flight.h>
+#include <lahar/boundary/open_floor.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/stop_signal.h>
 
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -35,6 +39,7 @@ namespace Lahar
     , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
+    , checkpoint(prm.get("Output directory"))
   {
     parameters.parse_parameters(prm);
     gravity          = prm.get_vector<dim>("Gravity");
@@ -61,6 +66,9 @@ namespace Lahar
     solids.append_particles(parameters.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
+    const std::string warning   = warn_of_open_floor(particles, obstacles(contour), gravity);
+    if (!warning.empty())
+      warnings.push_back(warning);
     set_initial_velocities();
     slip_condition.initialize(particles);
     try
@@ -129,36 +137,84 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::run()
   {
+    start_output();
+    double cell_steps     = 0.;
+    const double rounding = 1e-10 * parameters.time_step;
+    const StopSignal stop;
+    while (time < parameters.end_time - rounding && !stop.received())
+    {
+      const double output_time = last_output_time + parameters.output_interval;
+      step(step_control->next(time,
+                              parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
+                                                              : parameters.end_time,
+                              parameters.largest_movement / fastest_movement()));
+      cell_steps += fluid_mesh.n_cells();
+
+      TimerOutput::Scope scope(timer, "Output");
+      if (parameters.output_interval == 0. || time >= output_time - rounding ||
+          time >= parameters.end_time - rounding)
+      {
+        write_output();
+        advance_output_time();
+      }
+      if (checkpoint_is_due())
+        write_checkpoint();
+    }
+    write_statistics();
+    write_checkpoint();
+    if (stop.received())
+      progress->message(stop.name() + ": stopped after step " + std::to_string(step_number) + " at " +
+                        std::to_string(time) + " s. Option --resume goes on from here.");
+    if (cell_steps > 0.)
+      progress->summary(timer, cell_steps);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::start_output()
+  {
     const std::string &directory = parameters.output_directory;
-    progress      = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time);
+    progress = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time,
+                                          earlier_wall_time);
+    last_checkpoint_wall_time = progress->wall_time();
+    if (resumed)
+    {
+      std::error_code ignored; // without the file it is begun anew
+      std::filesystem::resize_file(directory + "/convergence", convergence_size, ignored);
+      convergence.open(directory + "/convergence", std::ios::app);
+      progress->message("Resumed after step " + std::to_string(step_number) + " at " + std::to_string(time) +
+                        " s.\n" + sizes());
+      advance_output_time(); // the interval may be another one
+      return;
+    }
+    checkpoint.remove();
     visualization = std::make_unique<Visualization<dim>>(directory);
     convergence.open(directory + "/convergence");
     convergence << "# step, time (s), iteration, relative increments of velocity and pressure\n"
                 << std::flush;
     progress->message(sizes());
     visualization->write(snapshot());
-    next_output_time = parameters.start_time + parameters.output_interval;
+    last_output_time = parameters.start_time;
+  }
 
-    double cell_steps     = 0.;
+
+
+  template <int dim>
+  void Simulator<dim>::advance_output_time()
+  {
     const double rounding = 1e-10 * parameters.time_step;
-    while (time < parameters.end_time - rounding)
-    {
-      step(step_control->next(time, parameters.output_interval > 0.
-                                      ? std::min(next_output_time, parameters.end_time)
-                                      : parameters.end_time));
-      cell_steps += fluid_mesh.n_cells();
+    while (parameters.output_interval > 0. && last_output_time + parameters.output_interval < time + rounding)
+      last_output_time += parameters.output_interval;
+  }
 
-      TimerOutput::Scope scope(timer, "Output");
-      if (parameters.output_interval == 0. || time >= next_output_time - rounding ||
-          time >= parameters.end_time - rounding)
-      {
-        visualization->write(snapshot());
-        write_statistics();
-        while (parameters.output_interval > 0. && next_output_time < time + rounding)
-          next_output_time += parameters.output_interval;
-      }
-    }
-    progress->summary(timer, cell_steps);
+
+
+  template <int dim>
+  void Simulator<dim>::write_output()
+  {
+    visualization->write(snapshot());
+    write_statistics();
   }
 
 
@@ -176,7 +232,8 @@ namespace Lahar
         time_integration.start_step(time_step, step_number == 0);
         problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
                            remeshing.arrives, solids, time + time_step);
-        report   = scheme->solve(problem);
+        report = scheme->solve(problem);
+        check_movements();
         accepted = true;
       }
       catch (const RunError &error)
@@ -185,8 +242,10 @@ namespace Lahar
         message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
         if (!step_control->halve(time_step))
         {
-          write_statistics();
-          throw RunError(message.str());
+          write_output();
+          write_checkpoint();
+          throw RunError(message.str() +
+                         "; the last snapshot and the checkpoint show the state before this step");
         }
         progress->message(message.str() + "; repeated with half the step");
         ++n_rejected;
@@ -222,6 +281,36 @@ namespace Lahar
     if (fluid_mesh.n_cells() == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated.");
+  }
+
+
+
+  template <int dim>
+  double Simulator<dim>::fastest_movement() const
+  {
+    double fastest = std::numeric_limits<double>::min();
+    for (const unsigned int i : fluid_mesh.particles())
+      fastest = std::max(fastest, particles.velocity[i].norm() / particles.spacing[i]);
+    return fastest;
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::check_movements() const
+  {
+    for (unsigned int v = 0; v < fluid_mesh.n_vertices(); ++v)
+    {
+      const unsigned int i  = fluid_mesh.particle(v);
+      const double movement = problem.movement(v) / particles.spacing[i];
+      if (movement > 2. * parameters.largest_movement)
+      {
+        std::ostringstream message;
+        message << "the particle at (" << particles.position[i] << ") m moves by " << movement
+                << " times its spacing, twice 'Largest movement' is allowed";
+        throw RunError(message.str());
+      }
+    }
   }
 
 

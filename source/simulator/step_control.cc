@@ -22,9 +22,12 @@ namespace Lahar
 
 
 
-  double StepControl::next(const double time, const double stop) const
+  double StepControl::next(const double time, const double stop, const double limit) const
   {
-    return time + (1. + rest_that_joins_a_step) * present > stop ? stop - time : present;
+    double length = present;
+    while (length > limit && 0.5 * length >= smallest)
+      length *= 0.5;
+    return time + (1. + rest_that_joins_a_step) * length > stop ? stop - time : length;
   }
 
 

@@ -60,6 +60,7 @@ namespace Lahar
     TimeIntegration solid_integration = time_integration.with_gamma(solids.newmark_gamma());
     solid.start(solids, *mesh, solid_integration, end_time);
     reinit_system(constraints);
+    linear_solver->forget();
 
     const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
       of_vertices.resize(mesh->n_vertices());

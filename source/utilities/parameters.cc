@@ -4,6 +4,7 @@
 #include <lahar/utilities/parameters.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace Lahar
@@ -105,6 +106,30 @@ namespace Lahar
       throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas");
     }
     return vector;
+  }
+
+
+
+  std::map<std::string, std::string> Parameters::values() const
+  {
+    std::stringstream text;
+    print_parameters(text, ParameterHandler::ShortPRM);
+    std::map<std::string, std::string> result;
+    std::string path;
+    for (std::string line; std::getline(text, line);)
+    {
+      line = Utilities::trim(line);
+      if (line.rfind("subsection ", 0) == 0)
+        path += line.substr(11) + "/";
+      else if (line == "end")
+        path.erase(path.find_last_of('/', path.size() - 2) + 1);
+      else if (line.rfind("set ", 0) == 0)
+      {
+        const std::size_t equals                                   = line.find('=');
+        result[path + Utilities::trim(line.substr(4, equals - 4))] = Utilities::trim(line.substr(equals + 1));
+      }
+    }
+    return result;
   }
 
 

@@ -90,9 +90,14 @@ def wrong(entry, value, *parts, more=()):
 
 
 def test_refused():
-    for entry, value in [("Dimension", "4"), ("Remeshing/Keep volume", "yes"), ("Dimension", "two"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
+    in_space = GOOD.replace("0, 0 : 0.146, 0.292", "").replace("0, 0.4 : 0, 0 : 0.5, 0", "")
+    for cone in ["0, 0, 0 : 0.035, 0.05, 0.05", "0, 0, 0 : 0.05, -0.01, 0.05", "0, 0, 0 : 0.05, 0.03", "0, 0 : 0.05, 0.03, 0.1"]:
+        refused("cone " + cone, ["'Geometry/Fluid cones'", cone, "llowed"], "--set", "Dimension=3",
+                *set_entry("Geometry/Fluid cones", cone), text=in_space)
+    for entry, value in [("Dimension", "4"), ("Dimension", "two"), ("Remeshing/Keep volume", "yes"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
                          ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
                          ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),
+                         ("Largest movement", "0"), ("Checkpoint/Steps between", "0.5"), ("Checkpoint/Minutes between", "-1"),
                          ("Output interval", "-1"), ("Gravity", "0"), ("Gravity", "0, down"), ("Gravity", "0, 0, -9.81"),
                          ("Initial velocity", "1"), ("Initial velocity", "1; q"), ("Initial velocity", "1; (x"),
                          ("Fluid/Bingham/Density", "-1000"), ("Fluid/Bingham/Density", "0"),
@@ -237,6 +242,9 @@ def test_printed():
         check("a solid's contour that is too coarse is reported",
               result.returncode == 0 and "Warning" in result.stdout and "0.2" in result.stdout and "0.03" in result.stdout,
               result)
+        result = run(directory, "case.prm", "--check", *set_entry("Geometry/No-slip walls", "0, 0.4 : 0, 0 : 0.1, 0"))
+        check("walls that end under the fluid are reported",
+              result.returncode == 0 and "Warning: no wall and no solid lies below" in result.stdout, result)
         check("--check writes nothing", os.listdir(directory) == ["case.prm"])
 
 

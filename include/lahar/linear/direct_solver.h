@@ -34,6 +34,8 @@ namespace Lahar
 
     unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
 
+    void forget() override;
+
   private:
     /// A matrix with its factorisation.
     struct Factorization

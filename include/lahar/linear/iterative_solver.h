@@ -37,6 +37,8 @@ namespace Lahar
 
     unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
 
+    void forget() override;
+
   private:
     using Matrix         = TrilinosWrappers::SparseMatrix;
     using Preconditioner = std::unique_ptr<TrilinosWrappers::PreconditionBase>;

@@ -11,7 +11,8 @@ namespace Lahar
   /**
    * Solves the block system, at once or block by block.
    *
-   * What belongs to the sparsity pattern is kept as long as the pattern stands.
+   * What belongs to the sparsity pattern is kept as long as the pattern stands, what was factorised as long as it is a
+   * good approximation, but not beyond forget().
    */
   template <int dim>
   class LinearSolver
@@ -34,6 +35,9 @@ namespace Lahar
     /// Solve for one part alone, K x_0 = rhs_0 or S x_1 = rhs_1, S = H − C diag(K)⁻¹ Q. The other part stays as it is.
     virtual unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b,
                                      Vector &solution) = 0;
+
+    /// Forget all earlier systems, so that what follows does not depend on them.
+    virtual void forget() = 0;
 
     static void declare_parameters(Parameters &prm);
     static std::unique_ptr<LinearSolver> create(Parameters &prm);

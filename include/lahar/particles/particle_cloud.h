@@ -4,6 +4,9 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <vector>
 
@@ -68,6 +71,12 @@ namespace Lahar
 
     /// Whether the particle slides on at least one slip wall.
     bool on_slip_wall(const unsigned int particle) const;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &position &velocity &acceleration &pressure &pressure_rate &kind &spacing &slip_facets;
+    }
   };
 } // namespace Lahar
 

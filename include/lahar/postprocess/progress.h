@@ -29,8 +29,13 @@ namespace Lahar
       double volume_error = 0.; ///< relative to the initial volume
     };
 
-    /// @param directory where `log` is written. The times (s) serve the estimate of what is left.
-    Progress(const std::string &directory, const double start_time, const double end_time);
+    /**
+     * @param directory where `log` is written; a resumed run appends to it.
+     * @param start_time,end_time s, for the estimate of what is left.
+     * @param earlier_wall_time what the run took before it was resumed, s; zero for a new one.
+     */
+    Progress(const std::string &directory, const double start_time, const double end_time,
+             const double earlier_wall_time);
 
     void step(const Line &line);
 
@@ -40,13 +45,13 @@ namespace Lahar
     /// The table of wall times, and µs per cell and step of each phase.
     void summary(const TimerOutput &timer, const double cell_steps);
 
-    /// Wall time since the start, s.
+    /// Wall time since the start, with that before the run was resumed, s.
     double wall_time() const;
 
   private:
     std::ofstream log;
     bool on_terminal;
-    double start_time, end_time;
+    double start_time, end_time, earlier_wall_time;
     std::chrono::steady_clock::time_point start;
   };
 } // namespace Lahar

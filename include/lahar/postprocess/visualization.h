@@ -3,6 +3,9 @@
 
 #include <lahar/postprocess/postprocessor.h>
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +29,13 @@ namespace Lahar
 
     void write(const Snapshot<dim> &snapshot);
 
+    /// What was written so far.
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &n_written &records;
+    }
+
   private:
     /// A file in solution.pvd.
     struct Record
@@ -33,6 +43,12 @@ namespace Lahar
       double time;
       unsigned int part; ///< 0: fluid, 1: solids
       std::string file_name;
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &time &part &file_name;
+      }
     };
 
     void write_fluid(const Snapshot<dim> &snapshot, const std::string &file_name) const;

@@ -21,6 +21,12 @@ namespace Lahar
     unsigned int cell;
     unsigned int opposite; ///< the cell's corner that the face does not have
     bool free_surface;     ///< not all corners are wall or solid particles, or slide on one common slip facet
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cell &opposite &free_surface;
+    }
   };
 
   /**
@@ -43,6 +49,23 @@ namespace Lahar
      * @return whether the connectivity changed.
      */
     bool reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> cells_of_particles);
+
+    /// Write what does not follow from the particles.
+    template <typename Archive>
+    void save(Archive &archive) const
+    {
+      archive &cells_of_particles &faces;
+    }
+
+    /// Make the mesh that save() has written, of the same particles.
+    template <typename Archive>
+    void load(Archive &archive, const ParticleCloud<dim> &cloud)
+    {
+      std::vector<Simplex<dim>> cells;
+      archive &cells;
+      reinit(cloud, cells);
+      archive &faces;
+    }
 
     /// Give the vertices of the deal.II triangulation the present positions of their particles.
     void move(const ParticleCloud<dim> &cloud);

@@ -15,8 +15,12 @@ namespace Lahar
     double end_time          = 0.; ///< s
     double time_step         = 0.; ///< s
     double minimum_time_step = 0.; ///< s
+    double largest_movement  = 0.; ///< of a particle in a step, in units of its spacing
     double mesh_size         = 0.; ///< m
     double output_interval   = 0.; ///< s; zero: every step
+
+    unsigned int steps_between_checkpoints = 0;  ///< zero: steps do not count
+    double time_between_checkpoints        = 0.; ///< wall time in s; zero: it does not count
 
     static void declare_parameters(Parameters &prm);
     /// @throws InputError

@@ -22,8 +22,11 @@
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/time_integration.h>
 #include <lahar/solid/solids.h>
+#include <lahar/utilities/checkpoint_file.h>
 
+#include <cstdint>
 #include <fstream>
+#include <map>
 #include <memory>
 
 namespace Lahar
@@ -46,10 +49,14 @@ namespace Lahar
     /// Create particles, walls and first mesh. @throws InputError
     void initialize();
 
-    /// What initialize() made, in a few lines.
+    /// After initialize(), go on from the checkpoint in the output directory. @throws InputError if there is none that
+    /// can be read, or if a parameter differs from the checkpoint's that a resumed run cannot honour.
+    void resume();
+
+    /// What initialize() or resume() made, in a few lines.
     std::string sizes() const;
 
-    /// Compute to the end time. @throws RunError
+    /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError
     void run();
 
     const ParticleCloud<dim> &cloud() const
@@ -70,6 +77,10 @@ namespace Lahar
     void step(double time_step);
 
     void remesh(const double time_step);
+    /// Largest ratio of speed and spacing in the mesh, 1/s.
+    double fastest_movement() const;
+    /// @throws RunError if a particle moves too far in the solved step.
+    void check_movements() const;
     void move_particles(const double time_step);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
@@ -78,6 +89,15 @@ namespace Lahar
     void add_statistics(const double time_step, const NonlinearReport &report);
     void write_statistics();
     Snapshot<dim> snapshot() const;
+
+    void start_output();
+    void advance_output_time();
+    void write_output();
+    bool checkpoint_is_due() const;
+    void write_checkpoint();
+    template <typename Archive>
+    void save_or_load(Archive &archive);
+    void check_unchanged(const std::map<std::string, std::string> &earlier_values) const;
 
     MPI_Comm communicator;
     Parameters &prm;
@@ -113,7 +133,12 @@ namespace Lahar
     std::ofstream convergence; ///< the increments of every iteration
     std::unique_ptr<Visualization<dim>> visualization;
     std::unique_ptr<Progress> progress;
-    double next_output_time = 0.;
+    double last_output_time = 0.; ///< when output was due last, s
+
+    CheckpointFile checkpoint;
+    bool resumed                     = false;
+    double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
+    std::uintmax_t convergence_size = 0;                           ///< of the file at the checkpoint, bytes
   };
 } // namespace Lahar
 

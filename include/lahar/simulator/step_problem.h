@@ -74,6 +74,12 @@ namespace Lahar
       return std::count(held.begin(), held.end(), true);
     }
 
+    /// How far a vertex moves in the step, m.
+    double movement(const unsigned int vertex) const
+    {
+      return state.position[vertex].distance(state.old_position[vertex]);
+    }
+
     /// Velocities by vertex, then pressures.
     Vector<double> unknowns() const;
 

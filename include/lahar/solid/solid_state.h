@@ -4,6 +4,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <vector>
 
 namespace Lahar
@@ -18,6 +20,12 @@ namespace Lahar
     std::vector<Tensor<1, dim>> velocity;      ///< m/s
     std::vector<Tensor<1, dim>> acceleration;  ///< m/s²
     std::vector<SymmetricTensor<2, 3>> stress; ///< Cauchy stress, Pa
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &position &velocity &acceleration &stress;
+    }
   };
 } // namespace Lahar
 

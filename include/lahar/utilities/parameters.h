@@ -5,6 +5,7 @@
 
 #include <lahar/utilities/exceptions.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ namespace Lahar
     /// The @p dim components of a vector "x, y[, z]"; InputError if their number differs.
     template <int dim>
     Tensor<1, dim> get_vector(const std::string &entry) const;
+
+    /// The values of all entries by their full paths.
+    std::map<std::string, std::string> values() const;
 
   private:
     std::vector<std::string> sections;

@@ -1,0 +1,23 @@
+#ifndef lahar_boundary_open_floor_h
+#define lahar_boundary_open_floor_h
+
+#include <lahar/boundary/walls.h>
+#include <lahar/particles/particle_cloud.h>
+
+#include <string>
+
+namespace Lahar
+{
+  /**
+   * A warning for the user if there are walls or solids, but none lies in the direction of gravity from some of the
+   * fluid particles: the walls have a hole under the fluid, end before it, or the fluid is not where it should be.
+   *
+   * @param obstacles rigid walls and the solids' contours.
+   * @return the text; empty if nothing is to be said.
+   */
+  template <int dim>
+  std::string warn_of_open_floor(const ParticleCloud<dim> &cloud, const Walls<dim> &obstacles,
+                                 const Tensor<1, dim> &gravity);
+} // namespace Lahar
+
+#endif

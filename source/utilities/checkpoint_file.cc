@@ -1,0 +1,90 @@
+#include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/checkpoint_file.h>
+#include <lahar/utilities/exceptions.h>
+
+#include <boost/crc.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace Lahar
+{
+  namespace
+  {
+    const std::string title = "Lahar checkpoint";
+
+    unsigned int checksum(const std::string &data)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(data.data(), data.size());
+      return crc.checksum();
+    }
+  } // namespace
+
+
+
+  CheckpointFile::CheckpointFile(const std::string &output_directory)
+    : directory(output_directory + "/checkpoint")
+    , file_name(directory + "/state")
+  {}
+
+
+
+  void CheckpointFile::write(const std::string &data) const
+  {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error)
+      throw RunError("Cannot create '" + directory + "': " + error.message() + ".");
+    write_atomically(file_name, [&](std::ostream &file) {
+      file << title << "\nversion " << format_version << "\nbytes " << data.size() << "\nchecksum "
+           << checksum(data) << '\n'
+           << data;
+    });
+  }
+
+
+
+  std::string CheckpointFile::read() const
+  {
+    std::ifstream file(file_name, std::ios::binary);
+    if (!file || !std::filesystem::is_regular_file(file_name))
+      fail("is not there or cannot be read", "an output directory in which a run has left a checkpoint");
+    std::string line, word[3];
+    unsigned int version = 0, sum = 0;
+    std::size_t size = 0;
+    if (!std::getline(file, line) || line != title || !(file >> word[0] >> version) || word[0] != "version")
+      fail("is no checkpoint of Lahar", "a file that a run has written");
+    if (version != format_version)
+      fail("has the format version " + std::to_string(version),
+           "version " + std::to_string(format_version) + "; use the version of lahar that wrote it");
+    if (!(file >> word[1] >> size >> word[2] >> sum) || word[1] != "bytes" || word[2] != "checksum")
+      fail("is truncated or corrupted in its header", "a complete file");
+    file.get();
+    const std::string data(std::istreambuf_iterator<char>(file), {});
+    if (data.size() != size)
+      fail("holds " + std::to_string(data.size()) + " bytes of data", std::to_string(size) + " bytes");
+    if (checksum(data) != sum)
+      fail("is corrupted: its checksum is wrong", "a file as it was written");
+    return data;
+  }
+
+
+
+  void CheckpointFile::remove() const
+  {
+    std::error_code error;
+    std::filesystem::remove(file_name, error);
+    if (error)
+      throw RunError("Cannot remove '" + file_name + "': " + error.message() + ".");
+  }
+
+
+
+  void CheckpointFile::fail(const std::string &found, const std::string &allowed) const
+  {
+    throw InputError("Option --resume: the checkpoint '" + file_name + "' " + found +
+                     ". Allowed: " + allowed + ".");
+  }
+} // namespace Lahar

@@ -1,0 +1,291 @@
+#!/usr/bin/python3
+"""Test checkpoints and --resume of the program `lahar` from outside, each run in a directory of its own.
+
+column, barrier, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that is not
+          (all but wall times): fluid in the plane, with an elastic barrier, in space.
+changed:  harmless parameters may change between the two, others are refused by name.
+damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
+killed:   SIGKILL at random moments; the next --resume works, and no file is there in part.
+full:     files cannot grow (as on a full disk): status 1, the file's name, and the checkpoint before stays valid.
+
+Usage: resume.py GROUP LAHAR
+"""
+import glob
+import os
+import random
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree as ElementTree
+
+LAHAR = os.path.abspath(sys.argv[2])
+
+COLUMN = """
+set Output directory = out
+set End time         = 0.12
+set Time step        = 2e-3
+set Mesh size        = 0.015
+set Output interval  = 0.03
+subsection Checkpoint
+  set Steps between   = 7
+  set Minutes between = 0
+end
+subsection Geometry
+  set Fluid boxes   = 0, 0 : 0.146, 0.292
+  set No-slip walls = 0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4
+end
+subsection Fluid
+  subsection Bingham
+    set Yield stress = 20
+  end
+end
+"""
+
+BARRIER = COLUMN.replace("0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4", "0, 0.4 : 0, 0 : 0.5, 0") + """
+subsection Solids
+  set Number of solids = 1
+  subsection Solid 1
+    set Box     = 0.17, 0 : 0.185, 0.08
+    set Clamped = 0.17, 0 : 0.185, 0
+    subsection hypoelastic
+      set Density         = 2500
+      set Young's modulus = 1e6
+      set Poisson's ratio = 0
+    end
+  end
+end
+"""
+
+SPACE = """
+set Dimension        = 3
+set Output directory = out
+set End time         = 0.08
+set Time step        = 2e-3
+set Mesh size        = 0.02
+set Output interval  = 0.02
+subsection Geometry
+  set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, 0.15
+  set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
+end
+"""
+
+n_failed = 0
+
+
+def check(what, condition, *details):
+    global n_failed
+    print(("ok: " if condition else "FAILED: ") + what, flush=True)
+    if not condition:
+        n_failed += 1
+        for detail in details:
+            print("    " + str(detail).replace("\n", "\n    "))
+
+
+def start(directory, *arguments, **options):
+    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
+    return subprocess.Popen([LAHAR, *arguments, "case.prm"], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+def run(directory, *arguments, **options):
+    process = start(directory, *arguments, **options)
+    process.out, process.err = process.communicate(timeout=500)
+    return process
+
+
+def new_case(parent, name, text):
+    directory = os.path.join(parent, name)
+    os.mkdir(directory)
+    with open(os.path.join(directory, "case.prm"), "w") as file:
+        file.write(text)
+    return directory
+
+
+def log_size(directory):
+    try:
+        return len(open(os.path.join(directory, "out", "log")).readlines())
+    except OSError:
+        return 0
+
+
+def wait_for_steps(process, directory, n_lines):
+    """Wait until the log has so many lines, or the run has ended."""
+    while process.poll() is None and log_size(directory) < n_lines:
+        time.sleep(0.01)
+
+
+def contents(directory):
+    """What the files of an output directory say, by name, without wall times and dates."""
+    result = {}
+    for path in sorted(glob.glob(os.path.join(directory, "out", "*"))):
+        name = os.path.basename(path)
+        if os.path.isfile(path) and name not in ("log", "parameters.prm"):
+            text = open(path, errors="replace").read()
+            if name == "statistics":
+                columns = re.findall(r"^# \d+: (.*)$", text, re.M)
+                wall = columns.index("Wall time (s)")
+                lines = [line.split() for line in text.splitlines() if not line.startswith("#")]
+                result[name] = [line[:wall] + line[wall + 1:] for line in lines]
+            else:
+                result[name] = re.sub(r"<!--.*?-->", "", text, flags=re.S)
+    return result
+
+
+def compare(what, expected, found):
+    check(what + ": the same files", list(expected) == list(found), list(expected), list(found))
+    for name in expected:
+        check(f"{what}: {name} is the same", expected[name] == found.get(name))
+
+
+def test_stopped(parent, text):
+    """Stop a run three times, by signals, and resume it."""
+    whole = new_case(parent, "whole", text)
+    process = run(whole)
+    check("the run that is not stopped succeeds", process.returncode == 0, process.out, process.err)
+    n_steps = len(contents(whole)["statistics"])
+
+    stopped = new_case(parent, "stopped", text)
+    for which, name in enumerate(["SIGTERM", "SIGINT", "SIGTERM"]):
+        # The lines so far, those about the start, and the steps to go.
+        lines = log_size(stopped) + 8 + int(0.2 * n_steps)
+        process = start(stopped, *(["--resume"] if which else []))
+        wait_for_steps(process, stopped, lines)
+        process.send_signal(getattr(signal, name))
+        process.out, process.err = process.communicate(timeout=500)
+        check(f"{name} ends the run with status 0", process.returncode == 0, process.returncode, process.err)
+        check(f"{name} is reported", f"{name}: stopped after step" in process.out, process.out)
+        n_lines = len(contents(stopped)["statistics"])
+        check(f"{name}: statistics of the steps so far", 0 < n_lines < n_steps, n_lines, n_steps)
+    process = run(stopped, "--resume")
+    check("the last part succeeds", process.returncode == 0, process.out, process.err)
+    compare("stopped and resumed", contents(whole), contents(stopped))
+
+
+def test_changed(parent):
+    short = new_case(parent, "case", COLUMN.replace("set End time         = 0.12", "set End time         = 0.02"))
+    process = run(short)
+    check("the first part succeeds", process.returncode == 0, process.err)
+    process = run(short, "--resume")
+    check("without a later end time there is nothing to do: status 2", process.returncode == 2, process.returncode)
+    check("... and the entry is named", "'End time' is '0.02'" in process.err, process.err)
+
+    for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluid/Bingham/Yield stress", "21", "20"),
+                                  ("Geometry/Fluid boxes", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),
+                                  ("Remeshing/Keep volume", "false", "true")]:
+        before = contents(short)
+        process = run(short, "--resume", "--set", f"{entry}={value}", "--set", "End time=0.03")
+        check(f"another {entry} is refused: status 2", process.returncode == 2, process.returncode)
+        check("... its path and both values are named",
+              f"'{entry}' is '{value}'" in process.err and f"'{earlier}'" in process.err, process.err)
+        check("... and the files are left alone", before == contents(short))
+    process = run(short, "--resume", "--set", "End time=0.03", "--set", "Output interval=0.005", "--set",
+                  "Time step=1e-3", "--set", "Nonlinear solver/Tolerance=1e-5", "--set", "Checkpoint/Steps between=3")
+    check("end time, output interval, time step and solver may change", process.returncode == 0, process.err)
+    lines = contents(short)["statistics"]
+    check("... and the run goes on to the new end time", abs(float(lines[-1][1]) - 0.03) < 1e-9, lines[-1])
+    check("... with the new time step", abs(float(lines[-1][2]) - 1e-3) < 1e-9, lines[-1])
+    pvd = contents(short)["solution.pvd"]
+    times = [float(t) for t in re.findall(r'timestep="([^"]*)"', pvd)]
+    check("... with the new output interval", times == [0., 0.02, 0.025, 0.03], times)
+    check("--check reports the resumed sizes", run(short, "--resume", "--check", "--set", "End time=0.04").returncode == 0)
+
+    process = run(short, "--set", "End time=0.004", "--set", "Checkpoint/Steps between=1")
+    check("a new run in the same directory begins anew", len(contents(short)["statistics"]) == 2, process.err)
+
+
+def test_damaged(parent):
+    case = new_case(parent, "case", COLUMN.replace("set End time         = 0.12", "set End time         = 0.004"))
+    process = run(case, "--resume")
+    check("no checkpoint: status 2", process.returncode == 2, process.returncode)
+    check("... the file is named", "out/checkpoint/state' is not there" in process.err, process.err)
+    check("... nothing is made", os.listdir(case) == ["case.prm"], os.listdir(case))
+    check("the first part succeeds", run(case).returncode == 0)
+    state = os.path.join(case, "out", "checkpoint", "state")
+    good = open(state, "rb").read()
+    middle = len(good) // 2
+    flipped = good[:middle] + bytes([good[middle] ^ 1]) + good[middle + 1:]
+    for what, data, words in [
+            ("truncated", good[:middle], "bytes of data"), ("cut in its header", good[:30], "truncated or corrupted"),
+            ("with a byte changed", flipped, "checksum is wrong"), ("empty", b"", "is no checkpoint"),
+            ("foreign", b"something else\n" * 100, "is no checkpoint"),
+            ("of an older format", good.replace(b"version 1", b"version 0", 1), "format version 0"),
+            ("too long", good + b"x", "bytes of data")]:
+        with open(state, "wb") as file:
+            file.write(data)
+        before = contents(case)
+        process = run(case, "--resume", "--set", "End time=0.01")
+        check(f"a checkpoint {what}: status 2", process.returncode == 2, process.returncode, process.err)
+        check("... the message says so and names it", words in process.err and "checkpoint/state" in process.err, process.err)
+        check("... files are left alone", before == contents(case) and open(state, "rb").read() == data)
+    with open(state, "wb") as file:
+        file.write(good)
+    check("the good one works", run(case, "--resume", "--set", "End time=0.01").returncode == 0)
+
+
+def test_killed(parent):
+    text = COLUMN.replace("Steps between   = 7", "Steps between   = 2")
+    whole = new_case(parent, "whole", text)
+    began = time.time()
+    check("the run that is not killed succeeds", run(whole).returncode == 0)
+    duration = time.time() - began
+    killed = new_case(parent, "killed", text)
+    random.seed(1)
+    n_kills = 0
+    while n_kills < 50:
+        has_checkpoint = os.path.exists(os.path.join(killed, "out", "checkpoint", "state"))
+        process = start(killed, *(["--resume"] if has_checkpoint else []))
+        if n_kills % 3 < 2:  # else it may be killed before it begins
+            wait_for_steps(process, killed, log_size(killed) + 1)
+        try:
+            process.out, process.err = process.communicate(timeout=random.uniform(0., 0.3) * duration)
+            break
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            n_kills += 1
+            for path in glob.glob(os.path.join(killed, "out", "*.vtu")) + glob.glob(os.path.join(killed, "out", "*.pvd")):
+                ElementTree.parse(path)
+    check("the last run succeeds", process.returncode == 0, process.out, process.err)
+    check("the run was killed at least three times", n_kills >= 3, n_kills)
+    for path in glob.glob(os.path.join(killed, "out", "*.part")) + glob.glob(os.path.join(killed, "out", "checkpoint", "*.part")):
+        os.remove(path)
+    compare(f"killed {n_kills} times", contents(whole), contents(killed))
+
+
+def test_full(parent):
+    text = COLUMN.replace("set End time         = 0.12", "set End time         = 0.03")
+    case = new_case(parent, "case", text)
+    check("the first part succeeds", run(case).returncode == 0)
+
+    # Only once the run goes on, since MPI's start writes files of its own.
+    process = start(case, "--resume", "--set", "End time=0.12", restore_signals=False,
+                    preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+    wait_for_steps(process, case, log_size(case) + 8)
+    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (1000, 1000))
+    process.out, process.err = process.communicate(timeout=500)
+    check("files that cannot grow: status 1", process.returncode == 1, process.returncode, process.err)
+    check("... the file and the reason are named", "Cannot write" in process.err and "large" in process.err, process.err)
+    check("... no file is left in part", not glob.glob(os.path.join(case, "out", "**", "*.part"), recursive=True))
+    process = run(case, "--resume", "--set", "End time=0.05")
+    check("with room again the run goes on from the checkpoint before", process.returncode == 0, process.err)
+
+
+def main():
+    group = sys.argv[1]
+    parent = tempfile.mkdtemp()
+    try:
+        if group in ("column", "barrier", "space"):
+            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "space": SPACE}[group])
+        else:
+            {"changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
+    finally:
+        shutil.rmtree(parent)
+    sys.exit(n_failed > 0)
+
+
+main()
