@@ -36,8 +36,8 @@ namespace Lahar
     }
     else
       fluid_mesh.save(archive);
-    archive &time &step_number &n_rejected &n_forced_facets &n_kept_out;
-    archive &initial_volume &volume &change_by_solver &change_by_remeshing;
+    archive &time &step_number &n_rejected &n_forced_facets &n_kept_out &n_left;
+    archive &initial_volume &volume &change_by_solver &change_by_remeshing &left_volume;
     archive &*step_control &*visualization &statistics;
     archive &last_output_time &convergence_size &earlier_wall_time;
   }

@@ -24,6 +24,7 @@ namespace Lahar
     InitialGeometry<dim>::declare_parameters(prm);
     FluidLaw::declare_parameters(prm);
     Solids<dim>::declare_parameters(prm, n_solids);
+    DomainLimit<dim>::declare_parameters(prm);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
@@ -48,6 +49,7 @@ namespace Lahar
     solids.parse_parameters(prm);
     geometry.parse_parameters(prm, !solids.empty());
     law = FluidLaw::create(prm);
+    domain_limit.parse_parameters(prm);
     remesher.parse_parameters(prm);
     scheme       = NonlinearScheme<dim>::create(prm);
     step_control = std::make_unique<StepControl>(parameters.time_step, parameters.minimum_time_step,
@@ -83,6 +85,7 @@ namespace Lahar
     if (geometry.has_fluid() && fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
+    domain_limit.check_initial(prm, particles);
     for (const auto &postprocessor : postprocessors)
       postprocessor->initialize(solids);
     time           = parameters.start_time;
@@ -266,6 +269,13 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Remesh");
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    if (const unsigned int n_dropped = domain_limit.drop_outside(particles, fluid_mesh))
+    {
+      n_left += n_dropped;
+      const double volume_inside = fluid_mesh.volume(particles);
+      left_volume += (volume - volume_inside) / initial_volume;
+      volume = volume_inside;
+    }
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh);
@@ -280,7 +290,7 @@ namespace Lahar
     volume = new_volume;
     if (fluid_mesh.n_cells() == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
-                     " s: no fluid cell is left, all particles are isolated.");
+                     " s: no fluid cell is left, all particles are isolated or have left the domain.");
   }
 
 
@@ -403,6 +413,11 @@ namespace Lahar
     {
       statistics.add_value("Mended contour facets", n_forced_facets);
       statistics.add_value("Particles kept out of solids", n_kept_out);
+    }
+    if (domain_limit.is_set())
+    {
+      statistics.add_value("Particles left the domain", n_left);
+      add_to_column(statistics, "Volume left the domain", left_volume);
     }
     for (const auto &postprocessor : postprocessors)
       postprocessor->evaluate(snapshot(), statistics);

@@ -14,6 +14,7 @@
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/postprocess/progress.h>
 #include <lahar/postprocess/visualization.h>
+#include <lahar/remeshing/domain_limit.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/nonlinear_scheme.h>
@@ -108,6 +109,7 @@ namespace Lahar
     InitialGeometry<dim> geometry;
     std::string initial_velocity;
     TimeIntegration time_integration;
+    DomainLimit<dim> domain_limit;
     Remesher<dim> remesher;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
     std::unique_ptr<StepControl> step_control;
@@ -122,8 +124,9 @@ namespace Lahar
     StepProblem<dim> problem;
 
     double time              = 0.;
-    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0;
-    double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.;
+    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0, n_left = 0;
+    double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.,
+           left_volume = 0.;
     typename Remesher<dim>::Report remeshing; ///< the last one
 
     std::vector<std::string> warnings;
