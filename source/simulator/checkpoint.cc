@@ -94,9 +94,9 @@ namespace Lahar
                       "one written by the same program on the same kind of machine");
     }
     resumed = true;
-    if (!(parameters.end_time > time))
+    if (parameters.end_time < time - 1e-10 * parameters.time_step)
       prm.throw_wrong_value("End time",
-                            "a time after that of the checkpoint, which is " + std::to_string(time));
+                            "a time not before that of the checkpoint, which is " + std::to_string(time));
   }
 
 

@@ -162,6 +162,7 @@ namespace Lahar
     report.pressure_increment = problem.pressure_increment();
     if (this->is_converged(report))
       return;
+    problem.hold_blocked_vertices();
 
     if (report.velocity_increment < small_increment)
       linearization.motion = motion = true;
@@ -204,6 +205,7 @@ namespace Lahar
     report.momentum_residual = problem.momentum_residual_norm();
     report.linear_iterations += problem.solve_block(0);
     problem.take_step(1.);
+    problem.hold_blocked_vertices();
     report.velocity_increment = problem.velocity_increment();
 
     linearization.viscosity        = ViscosityLinearization::picard;

@@ -13,8 +13,6 @@ namespace Lahar
     constexpr double smallest_part = 0.2;
     /// Increments that would invert simplices even at this part of their length are not taken.
     constexpr double shortest_step = 1e-3;
-    /// If more than this part of the vertices is held, the step has not converged.
-    constexpr double largest_held_part = 0.01;
   } // namespace
 
 
@@ -47,10 +45,10 @@ namespace Lahar
 
   template <int dim>
   void StepProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                                    const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
-                                    const Tensor<1, dim> &new_gravity, const TimeIntegration &integration,
-                                    const std::vector<bool> &arrives, const Solids<dim> &solids,
-                                    const double end_time)
+                                    const std::vector<NodeConstraint<dim>> &vertex_constraints,
+                                    const FluidLaw &law, const Tensor<1, dim> &new_gravity,
+                                    const TimeIntegration &integration, const std::vector<bool> &arrives,
+                                    const Solids<dim> &solids, const double end_time)
   {
     mesh             = &new_mesh;
     fluid_law        = &law;
@@ -59,7 +57,9 @@ namespace Lahar
 
     TimeIntegration solid_integration = time_integration.with_gamma(solids.newmark_gamma());
     solid.start(solids, *mesh, solid_integration, end_time);
-    reinit_system(constraints);
+    constraints = vertex_constraints;
+    solid.add_constraints(constraints);
+    reinit_system();
     linear_solver->forget();
 
     const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
@@ -82,7 +82,10 @@ namespace Lahar
     state.position     = state.old_position;
     state.acceleration = state.old_acceleration;
     velocity_change.assign(system.n_nodes(), Tensor<1, dim>());
-    held.assign(system.n_nodes(), false);
+    std::vector<bool> is_fluid(mesh->n_vertices());
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      is_fluid[v] = cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
+    held_vertices.start_step(is_fluid);
     pressure_change.assign(mesh->n_vertices(), 0.);
 
     assembler.set_stabilization(*mesh, law, state);
@@ -115,7 +118,7 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::reinit_system(std::vector<NodeConstraint<dim>> constraints)
+  void StepProblem<dim>::reinit_system()
   {
     if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
     {
@@ -126,7 +129,6 @@ namespace Lahar
                     solid.nodes_per_cell());
       solution = system.make_vector();
     }
-    solid.add_constraints(constraints);
     system.set_constraints(constraints);
   }
 
@@ -201,10 +203,8 @@ namespace Lahar
     double v = 0., p = 0., dv = 0., dp = 0.;
     for (const Tensor<1, dim> &velocity : node_velocities())
       v += velocity.norm_square();
-    const bool few_held = n_held() <= largest_held_part * system.n_nodes();
     for (unsigned int i = 0; i < system.n_nodes(); ++i)
-      if (!(held[i] && few_held))
-        dv += velocity_change[i].norm_square();
+      dv += velocity_change[i].norm_square();
     for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
     {
       p += state.pressure[i] * state.pressure[i];
@@ -311,8 +311,8 @@ namespace Lahar
         lengths[v] = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
       move_along();
     }
-    for (unsigned int v = 0; v < system.n_nodes(); ++v)
-      held[v] = lengths[v] == 0. && length > 0.;
+    if (length == 1.)
+      held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       state.pressure[v] = base_pressure[v] + length * pressure_change[v];
     if (fluid_law->yield_stress() > 0.)
@@ -321,6 +321,15 @@ namespace Lahar
     set_norms();
     if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
       throw RunError("velocity or pressure is not a finite number");
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::hold_blocked_vertices()
+  {
+    if (held_vertices.update(constraints))
+      system.set_constraints(constraints);
   }
 
 

@@ -171,8 +171,10 @@ def test_changed(parent):
     process = run(short)
     check("the first part succeeds", process.returncode == 0, process.err)
     process = run(short, "--resume")
-    check("without a later end time there is nothing to do: status 2", process.returncode == 2, process.returncode)
-    check("... and the entry is named", "'End time' is '0.02'" in process.err, process.err)
+    check("without a later end time there is nothing to do: status 0", process.returncode == 0, process.err)
+    process = run(short, "--resume", "--set", "End time=0.01")
+    check("an earlier end time is refused: status 2", process.returncode == 2, process.returncode)
+    check("... and the entry is named", "'End time' is '0.01'" in process.err, process.err)
 
     for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluid/Bingham/Yield stress", "21", "20"),
                                   ("Geometry/Fluid boxes", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),

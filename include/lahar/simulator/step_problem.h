@@ -7,12 +7,11 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/simulator/held_vertices.h>
 #include <lahar/simulator/solid_step.h>
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
-
-#include <algorithm>
 
 namespace Lahar
 {
@@ -57,10 +56,12 @@ namespace Lahar
     /**
      * Move from the state in which the system was solved by @p length times the increments. Where simplices would
      * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat
-     * simplex at an impact must not hold up the rest of the fluid. Vertices that cannot follow their increment at all
-     * are held: they hit what lies behind the simplex. May be called again with another length.
+     * simplex at an impact must not hold up the rest of the fluid. May be called again with another length.
      */
     void take_step(const double length);
+
+    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices.
+    void hold_blocked_vertices();
 
     /// Whether increments were halved in the last step.
     bool was_damped() const
@@ -68,10 +69,10 @@ namespace Lahar
       return damped;
     }
 
-    /// Number of vertices that were held in the last step.
+    /// Number of vertices that are held.
     unsigned int n_held() const
     {
-      return std::count(held.begin(), held.end(), true);
+      return held_vertices.number();
     }
 
     /// How far a vertex moves in the step, m.
@@ -95,8 +96,7 @@ namespace Lahar
       return -(solution.block(0) * system.right_hand_side().block(0));
     }
 
-    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step. Held vertices do not count in δv, as
-    /// long as they are few (one in a hundred).
+    /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step.
     double velocity_increment() const
     {
       return relative_velocity_increment;
@@ -141,7 +141,7 @@ namespace Lahar
     }
 
   private:
-    void reinit_system(std::vector<NodeConstraint<dim>> constraints);
+    void reinit_system();
     void start_increment();
     void move_state();
     /// Velocities of all nodes.
@@ -171,7 +171,8 @@ namespace Lahar
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;
-    std::vector<bool> held; ///< by node
+    std::vector<NodeConstraint<dim>> constraints; ///< by node
+    HeldVertices<dim> held_vertices;
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;

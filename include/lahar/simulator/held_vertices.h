@@ -1,0 +1,45 @@
+#ifndef lahar_simulator_held_vertices_h
+#define lahar_simulator_held_vertices_h
+
+#include <lahar/linear/block_system.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * Fluid vertices that hit what lies behind a flat simplex.
+   *
+   * A vertex that can follow less than a third of its increment without flattening a simplex, two iterations in a row,
+   * is held: for the rest of the time step its velocity is prescribed, as that of a wall is.
+   */
+  template <int dim>
+  class HeldVertices
+  {
+  public:
+    /// Begin a step, in which no vertex is held. @param can_be_held by vertex.
+    void start_step(const std::vector<bool> &can_be_held);
+
+    /// Take note of an iteration. @param lengths by node, vertices first: the part of the increment that was taken.
+    void note(const std::vector<double> &lengths);
+
+    /**
+     * Hold vertices after an iteration: fix their velocities in @p constraints (by node).
+     * @return whether there are new ones.
+     * @throws RunError if more than one in a hundred are held.
+     */
+    bool update(std::vector<NodeConstraint<dim>> &constraints);
+
+    unsigned int number() const
+    {
+      return n_held;
+    }
+
+  private:
+    std::vector<bool> can_be_held, is_blocked;
+    std::vector<unsigned int> n_blocked; ///< iterations in a row
+    unsigned int n_held = 0;
+  };
+} // namespace Lahar
+
+#endif
