@@ -38,10 +38,11 @@ void test_lattice(const std::string &box, const unsigned int n_expected, const d
     values_follow = values_follow && cloud.pressure[i] == cloud.position[i][0];
   check(name + "the others keep their values", values_follow);
   bool vertices_follow = true;
-  for (const auto &cell : mesh.dof_handler().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      vertices_follow = vertices_follow &&
-                        cell->vertex(v) == cloud.position[mesh.particle(cell->vertex_index(v))];
+  if (mesh.n_cells() > 0) // deal.II has no iterators for an empty triangulation
+    for (const auto &cell : mesh.dof_handler().active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        vertices_follow = vertices_follow &&
+                          cell->vertex(v) == cloud.position[mesh.particle(cell->vertex_index(v))];
   check(name + "the triangulation follows", vertices_follow);
   check(name + "a second call drops nothing", limit.drop_outside(cloud, mesh) == 0);
 }
