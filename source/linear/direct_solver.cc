@@ -14,10 +14,10 @@ namespace Lahar
     prm.enter_subsection("Direct");
     prm.declare_entry("Package", "MUMPS", Patterns::Anything(), "Package that factorises: MUMPS or KLU.");
     prm.declare_entry(
-      "Tolerance", "1e-3", Patterns::Anything(),
+      "Tolerance", "1e-2", Patterns::Anything(),
       "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
       "0 every system is factorised.");
-    prm.declare_entry("Maximum iterations", "12", Patterns::Anything(),
+    prm.declare_entry("Maximum iterations", "8", Patterns::Anything(),
                       "Factorise anew when an earlier factorisation needs more GMRES iterations, 1 to 100.");
     prm.leave_subsection();
   }

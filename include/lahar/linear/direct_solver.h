@@ -57,8 +57,8 @@ namespace Lahar
     void apply_whole(const Vector &right_hand_side, Vector &solution);
 
     std::string package         = "Amesos_Mumps";
-    double tolerance            = 1e-3;
-    unsigned int max_iterations = 12;
+    double tolerance            = 1e-2;
+    unsigned int max_iterations = 8;
     Factorization whole;
   };
 } // namespace Lahar
