@@ -4,6 +4,7 @@
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/ranks.h>
 #include <lahar/version.h>
 
 #include <boost/program_options.hpp>
@@ -26,7 +27,7 @@ namespace
   };
 
   constexpr const char *usage =
-    "Usage: lahar [options] case.prm\n\nFree-surface Bingham flows by the Particle Finite Element Method.\n";
+    "Usage: lahar [options] case.prm\n       mpirun -np N lahar [options] case.prm\n\nFree-surface Bingham flows by the Particle Finite Element Method.\n";
 
   /// Read the command line. @return whether there is a case to compute.
   bool parse(const int argc, char **argv, CommandLine &line)
@@ -55,10 +56,11 @@ namespace
       throw InputError(std::string("Command line: ") + error.what() + ". See lahar --help.");
     }
 
-    if (values.count("help"))
+    const bool first_rank = is_first_rank(MPI_COMM_WORLD);
+    if (values.count("help") && first_rank)
       std::cout << usage << "\n"
                 << visible << "\nExit status: 0 success, 1 the run failed, 2 the input is wrong.\n";
-    if (values.count("version"))
+    if (values.count("version") && first_rank)
       std::cout << "lahar " << LAHAR_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ")\n";
     if (values.count("help") || values.count("version"))
       return false;
@@ -238,26 +240,25 @@ namespace
     Simulator<dim>::declare_parameters(prm, std::max(count_solids(line), line.file_name.empty() ? 1U : 0U));
     if (!line.print_format.empty())
     {
-      print_parameters(prm, line.print_format, std::cout);
+      if (is_first_rank(MPI_COMM_WORLD))
+        print_parameters(prm, line.print_format, std::cout);
       return;
     }
     read(line.file_name, prm);
     for (const std::string &text : line.overrides)
       override_entry(prm, text);
 
-    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      throw InputError("This version runs on one process; found " +
-                       std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) + ".");
     Simulator<dim> simulator(prm, MPI_COMM_WORLD);
     simulator.initialize();
     if (line.resume)
       simulator.resume();
     if (line.check)
     {
-      std::cout << simulator.sizes() << std::endl;
+      if (is_first_rank(MPI_COMM_WORLD))
+        std::cout << simulator.sizes() << std::endl;
       return;
     }
-    prepare_output(prm, prm.get("Output directory"));
+    on_first_rank(MPI_COMM_WORLD, [&] { prepare_output(prm, prm.get("Output directory")); });
     simulator.run();
   }
 
@@ -287,17 +288,12 @@ int main(int argc, char **argv)
   }
   catch (const Lahar::InputError &error)
   {
-    std::cerr << "lahar: wrong input. " << error.what() << std::endl;
+    Lahar::fail_on_all_ranks(MPI_COMM_WORLD, std::string("lahar: wrong input. ") + error.what(), 2);
     return 2;
   }
-  catch (const Lahar::RunError &error)
+  catch (const std::exception &error) // RunError, too
   {
-    std::cerr << "lahar: the run failed. " << error.what() << std::endl;
-    return 1;
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << "lahar: the run failed. " << error.what() << std::endl;
+    Lahar::fail_on_all_ranks(MPI_COMM_WORLD, std::string("lahar: the run failed. ") + error.what(), 1);
     return 1;
   }
 }

@@ -1,6 +1,7 @@
 #ifndef lahar_tests_h
 #define lahar_tests_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
 #include <lahar/material/fluid_law.h>
@@ -18,10 +19,13 @@ namespace Tests
   /// Number of failed checks; main() returns it, so that no output file can bless a wrong result.
   inline int n_failed = 0;
 
+  /// With several ranks, check that the condition holds on all of them.
   inline void check(const std::string &what, const bool condition)
   {
-    std::cout << (condition ? "ok: " : "FAILED: ") << what << std::endl;
-    n_failed += !condition;
+    const bool everywhere = Utilities::MPI::min(condition ? 1U : 0U, MPI_COMM_WORLD) == 1U;
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << (everywhere ? "ok: " : "FAILED: ") << what << std::endl;
+    n_failed += !everywhere;
   }
 
   /// Check that |error| is at most the tolerance.

@@ -154,8 +154,9 @@ namespace Lahar
 
     system.set_zero();
     auto face = mesh.boundary_faces().begin();
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    for (unsigned int k = 0; k < system.cells().size(); ++k)
     {
+      const unsigned int c = system.cells()[k];
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), linearization.motion);
       if (!(cell.volume > 0.))
@@ -178,11 +179,11 @@ namespace Lahar
         fic_interior.assemble(cell, cell_system);
 
       // Boundary faces come in the order of their cells.
-      for (; face != mesh.boundary_faces().end() && face->cell == c; ++face)
-        if (face->free_surface && stabilization == Stabilization::fic)
+      for (; face != mesh.boundary_faces().end() && face->cell <= c; ++face)
+        if (face->cell == c && face->free_surface && stabilization == Stabilization::fic)
           fic_free_surface.assemble(cell, face->opposite, cell_system);
 
-      system.add(c, cell_system.matrix, cell_system.residual);
+      system.add(k, cell_system.matrix, cell_system.residual);
     }
     return true;
   }

@@ -14,8 +14,9 @@ namespace Lahar
     Vector<double> residual(n * dim);
     std::vector<Tensor<1, dim>> g(n), traction(n); // ∇N_I, σ ∇N_I
 
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    for (unsigned int k = 0; k < system.solid_cells().size(); ++k)
     {
+      const unsigned int c        = system.solid_cells()[k];
       const SolidLaw &law         = solids.law(mesh.body(c));
       const unsigned int *I_nodes = mesh.cell_nodes(c);
       matrix                      = 0.;
@@ -80,7 +81,7 @@ namespace Lahar
           }
         }
       }
-      system.add_solid(c, matrix, residual);
+      system.add_solid(k, matrix, residual);
     }
     for (unsigned int i = 0; i < external_forces.size(); ++i)
       system.add_solid(nodes[i], -external_forces[i]);

@@ -1,8 +1,5 @@
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Map.h>
-#include <Epetra_MpiComm.h>
-
 #include <lahar/linear/block_system.h>
+#include <lahar/linear/nodal_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +8,7 @@ namespace Lahar
 {
   template <int dim>
   BlockSystem<dim>::BlockSystem(const MPI_Comm &communicator)
-    : communicator(communicator)
+    : node_partition(communicator)
   {}
 
 
@@ -28,111 +25,117 @@ namespace Lahar
           for (unsigned int J = 0; J < cells[c].size(); ++J)
             places[c][I * cells[c].size() + J] = graph.place(cells[c][I], cells[c][J]);
     }
-
-    /**
-     * A matrix with @p row_components rows and @p column_components columns for each entry of the graph, in which
-     * @p n_row_nodes and @p n_column_nodes nodes exist.
-     */
-    void make_block(const NodalGraph &graph, const unsigned int n_row_nodes,
-                    const unsigned int row_components, const unsigned int n_column_nodes,
-                    const unsigned int column_components, const Epetra_Comm &communicator,
-                    TrilinosWrappers::SparseMatrix &matrix)
-    {
-      const Epetra_Map rows(static_cast<int>(n_row_nodes * row_components), 0, communicator);
-      const Epetra_Map columns(static_cast<int>(n_column_nodes * column_components), 0, communicator);
-
-      std::vector<int> row_lengths(n_row_nodes * row_components);
-      for (unsigned int i = 0; i < n_row_nodes; ++i)
-        for (unsigned int a = 0; a < row_components; ++a)
-          row_lengths[i * row_components + a] = graph.degree(i) * column_components;
-
-      Epetra_CrsGraph crs_graph(Copy, rows, columns, row_lengths.data(), true);
-      std::vector<int> indices;
-      for (unsigned int i = 0; i < std::min(n_row_nodes, graph.n_rows()); ++i)
-      {
-        indices.clear();
-        for (unsigned int k = graph.row_start[i]; k < graph.row_start[i + 1]; ++k)
-          for (unsigned int b = 0; b < column_components; ++b)
-            indices.push_back(graph.columns[k] * column_components + b);
-        for (unsigned int a = 0; a < row_components; ++a)
-          crs_graph.InsertMyIndices(i * row_components + a, indices.size(), indices.data());
-      }
-      crs_graph.FillComplete(columns, rows);
-      crs_graph.OptimizeStorage();
-
-      Epetra_CrsMatrix crs_matrix(Copy, crs_graph);
-      crs_matrix.FillComplete(columns, rows);
-      matrix.reinit(crs_matrix, true);
-    }
-
-    double *values_of(const TrilinosWrappers::SparseMatrix &matrix)
-    {
-      int *row_start, *columns;
-      double *values;
-      auto &crs_matrix = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
-      crs_matrix.OptimizeStorage();
-      const int error = crs_matrix.ExtractCrsDataPointers(row_start, columns, values);
-      AssertThrow(error == 0, ExcMessage("Trilinos does not give the matrix's arrays."));
-      (void) error;
-      return values;
-    }
   } // namespace
 
 
 
   template <int dim>
-  void BlockSystem<dim>::reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &new_cells,
+  void BlockSystem<dim>::reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
                                 const unsigned int n_solid_nodes,
-                                const std::vector<unsigned int> &new_solid_cells,
-                                const unsigned int new_nodes_per_solid_cell)
+                                const std::vector<unsigned int> &solid_cells,
+                                const unsigned int new_nodes_per_solid_cell,
+                                const std::vector<Point<dim>> &positions)
   {
-    cells                = new_cells;
-    solid_cells          = new_solid_cells;
-    nodes_per_solid_cell = new_nodes_per_solid_cell;
+    nodes_per_solid_cell             = new_nodes_per_solid_cell;
+    n_pressures                      = n_fluid_nodes;
+    const unsigned int n_nodes       = n_fluid_nodes + n_solid_nodes,
+                       n_solid_cells = solid_cells.empty() ? 0 : solid_cells.size() / nodes_per_solid_cell;
     ++n_reinits;
-    const unsigned int n_nodes = n_fluid_nodes + n_solid_nodes;
-    const CellList fluid_list{cells.empty() ? nullptr : cells.front().data(),
-                              static_cast<unsigned int>(cells.size()), n_corners};
-    pressure_graph.reinit(n_fluid_nodes, {fluid_list});
-    find_places(pressure_graph, cells, places);
-    if (solid_cells.empty())
-    {
-      all_graph       = pressure_graph;
-      velocity_places = places;
-    }
-    else
-    {
-      const unsigned int n_solid_cells = solid_cells.size() / nodes_per_solid_cell;
-      const CellList solid_list{solid_cells.data(), n_solid_cells, nodes_per_solid_cell};
-      all_graph.reinit(n_nodes, {fluid_list, solid_list});
-      find_places(all_graph, cells, velocity_places);
-      solid_places.clear();
-      for (unsigned int c = 0; c < n_solid_cells; ++c)
-        for (const unsigned int *I = solid_list.begin(c); I != solid_list.end(c); ++I)
-          for (const unsigned int *J = solid_list.begin(c); J != solid_list.end(c); ++J)
-            solid_places.push_back(all_graph.place(*I, *J));
-    }
 
-    const Epetra_MpiComm epetra_communicator(communicator);
-    const unsigned int components[2] = {dim, 1}, block_nodes[2] = {n_nodes, n_fluid_nodes};
-    block_matrix.reinit(2, 2);
-    for (unsigned int row = 0; row < 2; ++row)
-      for (unsigned int column = 0; column < 2; ++column)
-      {
-        make_block(row == 0 && column == 0 ? all_graph : pressure_graph, block_nodes[row], components[row],
-                   block_nodes[column], components[column], epetra_communicator,
-                   block_matrix.block(row, column));
-        block_values[row][column] = values_of(block_matrix.block(row, column));
-      }
-    block_matrix.collect_sizes();
+    const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
+                                          static_cast<unsigned int>(cells.size()), n_corners},
+                                         {solid_cells.data(), n_solid_cells, nodes_per_solid_cell}};
+    const unsigned int n_ranks        = Utilities::MPI::n_mpi_processes(node_partition.communicator());
+    node_partition.reinit(n_nodes,
+                          n_ranks > 1 && !positions.empty() ? share_nodes(positions, lists, n_ranks)
+                                                            : std::vector<unsigned int>(),
+                          lists);
+
+    const std::vector<unsigned int> flat_cells = node_partition.local_cells(0, lists[0]);
+    local_cells.resize(flat_cells.size() / n_corners);
+    for (unsigned int k = 0; k < local_cells.size(); ++k)
+      std::copy_n(flat_cells.begin() + k * n_corners, n_corners, local_cells[k].begin());
+    local_solid_cells = node_partition.local_cells(1, lists[1]);
+    number_unknowns();
+    make_matrices();
 
     constraints.assign(n_nodes, NodeConstraint<dim>());
+    local_constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
     any_skew = false;
     rhs      = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();
-    residuals.resize(n_fluid_nodes);
-    solid_residuals.resize(n_nodes);
+    residuals.resize(node_partition.nodes().size());
+    solid_residuals.resize(node_partition.nodes().size());
+    velocity_diagonals.resize(node_partition.nodes().size());
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::number_unknowns()
+  {
+    const std::vector<unsigned int> &nodes = node_partition.nodes();
+    fluid_numbers.assign(1, 0);
+    local_numbers.clear();
+    for (unsigned int l = 0; l < nodes.size(); ++l)
+    {
+      if (nodes[l] < n_pressures)
+        local_numbers.push_back(l);
+      fluid_numbers.push_back(local_numbers.size());
+    }
+    n_own_pressures = fluid_numbers[node_partition.n_own()];
+
+    std::vector<Cell> numbered_cells = local_cells;
+    for (Cell &cell : numbered_cells)
+      for (unsigned int &node : cell)
+        node = fluid_numbers[node];
+    const auto list_of = [](const std::vector<Cell> &cells) {
+      return CellList{cells.empty() ? nullptr : cells.front().data(), static_cast<unsigned int>(cells.size()),
+                      n_corners};
+    };
+    pressure_graph.reinit(local_numbers.size(), {list_of(numbered_cells)});
+    find_places(pressure_graph, numbered_cells, places);
+    if (nodes_per_solid_cell == 0)
+    {
+      all_graph       = pressure_graph;
+      velocity_places = places;
+      return;
+    }
+    const CellList solid_list{local_solid_cells.data(),
+                              static_cast<unsigned int>(local_solid_cells.size() / nodes_per_solid_cell),
+                              nodes_per_solid_cell};
+    all_graph.reinit(nodes.size(), {list_of(local_cells), solid_list});
+    find_places(all_graph, local_cells, velocity_places);
+    solid_places.clear();
+    for (unsigned int c = 0; c < solid_list.n_cells; ++c)
+      for (const unsigned int *I = solid_list.begin(c); I != solid_list.end(c); ++I)
+        for (const unsigned int *J = solid_list.begin(c); J != solid_list.end(c); ++J)
+          solid_places.push_back(all_graph.place(*I, *J));
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::make_matrices()
+  {
+    const unsigned int n_own = node_partition.n_own(), n_rows = node_partition.n_with_rows();
+    std::vector<unsigned int> fluid_nodes;
+    for (const unsigned int l : local_numbers)
+      fluid_nodes.push_back(node_partition.nodes()[l]);
+    const NodalUnknowns unknowns[2] = {{node_partition.nodes(), n_own, n_rows, dim},
+                                       {fluid_nodes, n_own_pressures, fluid_numbers[n_rows], 1}};
+    block_matrix.reinit(2, 2);
+    for (unsigned int row = 0; row < 2; ++row)
+      for (unsigned int column = 0; column < 2; ++column)
+      {
+        make_nodal_matrix(row == 0 && column == 0 ? all_graph : pressure_graph, unknowns[row],
+                          unknowns[column], node_partition.communicator(), block_matrix.block(row, column));
+        block_values[row][column] = values_of(block_matrix.block(row, column));
+      }
+    block_matrix.collect_sizes();
+    halo_gradient.resize(
+      dim * (pressure_graph.row_start[fluid_numbers[n_rows]] - pressure_graph.row_start[n_own_pressures]));
   }
 
 
@@ -140,8 +143,15 @@ namespace Lahar
   template <int dim>
   typename BlockSystem<dim>::Vector BlockSystem<dim>::make_vector() const
   {
-    return Vector({complete_index_set(dim * all_graph.n_rows()), complete_index_set(n_fluid_nodes())},
-                  communicator);
+    IndexSet velocities(dim * n_nodes()), pressures(n_pressures);
+    for (unsigned int l = 0; l < node_partition.n_own(); ++l)
+    {
+      const unsigned int node = node_partition.nodes()[l];
+      velocities.add_range(dim * node, dim * (node + 1));
+      if (node < n_pressures)
+        pressures.add_index(node);
+    }
+    return Vector({velocities, pressures}, node_partition.communicator());
   }
 
 
@@ -151,6 +161,8 @@ namespace Lahar
   {
     AssertDimension(new_constraints.size(), n_nodes());
     constraints = new_constraints;
+    for (unsigned int l = 0; l < local_constraints.size(); ++l)
+      local_constraints[l] = constraints[node_partition.nodes()[l]];
     any_skew = std::any_of(constraints.begin(), constraints.end(), [](const NodeConstraint<dim> &constraint) {
       return constraint.n_fixed > 0 && constraint.n_fixed < dim;
     });
@@ -165,9 +177,12 @@ namespace Lahar
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
       {
-        const std::size_t n_entries = (row == 0 && column == 0 ? all_graph : pressure_graph).columns.size();
+        const std::size_t n_entries = (row == 0 && column == 0 ? all_graph.row_start[node_partition.n_own()]
+                                                               : pressure_graph.row_start[n_own_pressures]);
         std::fill_n(block_values[row][column], n_entries * components[row] * components[column], 0.);
       }
+    std::fill(halo_gradient.begin(), halo_gradient.end(), 0.);
+    std::fill(velocity_diagonals.begin(), velocity_diagonals.end(), Tensor<1, dim>());
     rhs = 0.;
     std::fill(residuals.begin(), residuals.end(), Tensor<1, dim>());
     std::fill(solid_residuals.begin(), solid_residuals.end(), Tensor<1, dim>());
@@ -182,7 +197,7 @@ namespace Lahar
   {
     for (unsigned int I = 0; I < n_corners; ++I)
     {
-      const NodeConstraint<dim> &constraint = constraints[cell[I]];
+      const NodeConstraint<dim> &constraint = local_constraints[cell[I]];
       if (constraint.n_fixed == 0 || constraint.n_fixed == dim)
         continue;
       const unsigned int first = I * n_corners;
@@ -213,21 +228,23 @@ namespace Lahar
 
   template <int dim>
   void BlockSystem<dim>::add(
-    const unsigned int c,
+    const unsigned int k,
     const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
     const std::array<double, n_corners * n_corners> &residual)
   {
-    const Cell &cell = cells[c];
+    const Cell &cell = local_cells[k];
     for (unsigned int I = 0; I < n_corners; ++I)
       for (unsigned int a = 0; a < dim; ++a)
         residuals[cell[I]][a] += residual[I * n_corners + a];
 
-    unsigned int n_fixed[n_corners];
-    bool any_fixed = false;
+    bool fixed[n_corners * n_corners], any_fixed = false;
     for (unsigned int I = 0; I < n_corners; ++I)
     {
-      n_fixed[I] = constraints[cell[I]].n_fixed;
-      any_fixed  = any_fixed || n_fixed[I] > 0;
+      const NodeConstraint<dim> &constraint = local_constraints[cell[I]];
+      for (unsigned int a = 0; a < dim; ++a)
+        fixed[I * n_corners + a] = a < constraint.n_fixed;
+      fixed[I * n_corners + dim] = constraint.fixed_pressure;
+      any_fixed                  = any_fixed || constraint.n_fixed > 0 || constraint.fixed_pressure;
     }
 
     auto local_matrix   = matrix;
@@ -236,10 +253,9 @@ namespace Lahar
     {
       if (any_skew)
         rotate(cell, local_matrix, local_residual);
-      for (unsigned int I = 0; I < n_corners; ++I)
-        for (unsigned int a = 0; a < n_fixed[I]; ++a)
+      for (unsigned int i = 0; i < n_corners * n_corners; ++i)
+        if (fixed[i])
         {
-          const unsigned int i  = I * n_corners + a;
           const double diagonal = local_matrix[i][i];
           for (unsigned int k = 0; k < n_corners * n_corners; ++k)
             local_matrix[i][k] = local_matrix[k][i] = 0.;
@@ -250,25 +266,39 @@ namespace Lahar
 
     for (unsigned int I = 0; I < n_corners; ++I)
     {
-      const std::size_t start = pressure_graph.row_start[cell[I]], degree = pressure_graph.degree(cell[I]);
-      double *K_rows = block_values[0][0] +
-                       dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
-      const std::size_t K_degree = all_graph.degree(cell[I]);
+      const unsigned int node = cell[I], number = fluid_numbers[node];
+      if (node >= node_partition.n_with_rows())
+        continue;
       for (unsigned int a = 0; a < dim; ++a)
-        rhs_values[0][dim * cell[I] + a] -= local_residual[I * n_corners + a];
-      rhs_values[1][cell[I]] -= local_residual[I * n_corners + dim];
+        velocity_diagonals[node][a] += local_matrix[I * n_corners + a][I * n_corners + a];
+      const bool own          = node < node_partition.n_own();
+      const std::size_t start = pressure_graph.row_start[number] -
+                                (own ? 0 : pressure_graph.row_start[n_own_pressures]),
+                        degree = pressure_graph.degree(number);
+      double *Q_rows           = (own ? block_values[0][1] : halo_gradient.data()) + dim * start;
+      for (unsigned int J = 0; J < n_corners; ++J)
+        for (unsigned int a = 0; a < dim; ++a)
+          Q_rows[a * degree + places[k][I * n_corners + J]] +=
+            local_matrix[I * n_corners + a][J * n_corners + dim];
+      if (!own)
+        continue;
+
+      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node]);
+      const std::size_t K_degree = all_graph.degree(node);
+      for (unsigned int a = 0; a < dim; ++a)
+        rhs_values[0][dim * node + a] -= local_residual[I * n_corners + a];
+      rhs_values[1][number] -= local_residual[I * n_corners + dim];
 
       for (unsigned int J = 0; J < n_corners; ++J)
       {
-        const unsigned int place   = places[c][I * n_corners + J],
-                           K_place = velocity_places[c][I * n_corners + J];
+        const unsigned int place   = places[k][I * n_corners + J],
+                           K_place = velocity_places[k][I * n_corners + J];
         for (unsigned int a = 0; a < dim; ++a)
         {
           const double *row = &local_matrix[I * n_corners + a][J * n_corners];
           double *K         = K_rows + dim * (a * K_degree + K_place);
           for (unsigned int b = 0; b < dim; ++b)
             K[b] += row[b];
-          block_values[0][1][dim * start + a * degree + place] += row[dim];
         }
         const double *row = &local_matrix[I * n_corners + dim][J * n_corners];
         for (unsigned int b = 0; b < dim; ++b)
@@ -281,18 +311,18 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::add_solid(const unsigned int c, FullMatrix<double> &matrix,
+  void BlockSystem<dim>::add_solid(const unsigned int k, FullMatrix<double> &matrix,
                                    dealii::Vector<double> &residual)
   {
     const unsigned int n     = nodes_per_solid_cell;
-    const unsigned int *cell = &solid_cells[static_cast<std::size_t>(c) * n];
+    const unsigned int *cell = &local_solid_cells[static_cast<std::size_t>(k) * n];
     for (unsigned int I = 0; I < n; ++I)
     {
       for (unsigned int a = 0; a < dim; ++a)
         solid_residuals[cell[I]][a] += residual[I * dim + a];
-      Assert(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
+      Assert(local_constraints[cell[I]].n_fixed == 0 || local_constraints[cell[I]].n_fixed == dim,
              ExcMessage("A solid's node is free or has its whole velocity prescribed."));
-      if (constraints[cell[I]].n_fixed == dim)
+      if (local_constraints[cell[I]].n_fixed == dim)
         for (unsigned int a = 0; a < dim; ++a)
         {
           const unsigned int i  = I * dim + a;
@@ -305,10 +335,14 @@ namespace Lahar
     }
     for (unsigned int I = 0; I < n; ++I)
     {
+      for (unsigned int a = 0; a < dim; ++a)
+        velocity_diagonals[cell[I]][a] += matrix(I * dim + a, I * dim + a);
+      if (cell[I] >= node_partition.n_own())
+        continue;
       double *K_rows = block_values[0][0] +
                        dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
       const std::size_t K_degree       = all_graph.degree(cell[I]);
-      const unsigned short *row_places = &solid_places[(static_cast<std::size_t>(c) * n + I) * n];
+      const unsigned short *row_places = &solid_places[(static_cast<std::size_t>(k) * n + I) * n];
       for (unsigned int a = 0; a < dim; ++a)
       {
         rhs_values[0][dim * cell[I] + a] -= residual[I * dim + a];
@@ -324,32 +358,83 @@ namespace Lahar
   template <int dim>
   void BlockSystem<dim>::add_solid(const unsigned int node, const Tensor<1, dim> &residual)
   {
-    solid_residuals[node] += residual;
+    const unsigned int l = node_partition.local(node);
+    if (l >= node_partition.n_own())
+      return;
+    solid_residuals[l] += residual;
     if (constraints[node].n_fixed == 0)
       for (unsigned int a = 0; a < dim; ++a)
-        rhs_values[0][dim * node + a] -= residual[a];
+        rhs_values[0][dim * l + a] -= residual[a];
   }
 
 
 
   template <int dim>
-  Tensor<1, dim> BlockSystem<dim>::velocity(const Vector &solution, const unsigned int node) const
+  const Tensor<1, dim> &BlockSystem<dim>::velocity_diagonal(const unsigned int local_node) const
   {
-    Tensor<1, dim> in_frame;
-    const double *values = solution.block(0).begin();
-    for (unsigned int a = 0; a < dim; ++a)
-      in_frame[a] = values[dim * node + a];
-    const NodeConstraint<dim> &constraint = constraints[node];
-    return (constraint.n_fixed == 0 || constraint.n_fixed == dim) ? in_frame
-                                                                  : transpose(constraint.frame) * in_frame;
+    AssertIndexRange(local_node, node_partition.n_with_rows());
+    return velocity_diagonals[local_node];
   }
 
 
 
   template <int dim>
-  double BlockSystem<dim>::pressure(const Vector &solution, const unsigned int node) const
+  const double *BlockSystem<dim>::gradient_row(const unsigned int number, const unsigned int a) const
   {
-    return solution.block(1).begin()[node];
+    const std::size_t start = pressure_graph.row_start[number], degree = pressure_graph.degree(number),
+                      own = pressure_graph.row_start[n_own_pressures];
+    return (number < n_own_pressures ? block_values[0][1] + dim * start
+                                     : halo_gradient.data() + dim * (start - own)) +
+           a * degree;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> BlockSystem<dim>::gather(const double *own, const unsigned int n) const
+  {
+    const std::vector<double> values = node_partition.gather(own, dim, n);
+    std::vector<Tensor<1, dim>> result(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int a = 0; a < dim; ++a)
+        result[i][a] = values[dim * i + a];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> BlockSystem<dim>::velocities(const Vector &solution) const
+  {
+    std::vector<Tensor<1, dim>> result = gather(solution.block(0).begin(), n_nodes());
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      if (constraints[i].n_fixed > 0 && constraints[i].n_fixed < dim)
+        result[i] = transpose(constraints[i].frame) * result[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> BlockSystem<dim>::pressures(const Vector &solution) const
+  {
+    return node_partition.gather(solution.block(1).begin(), 1, n_pressures);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> BlockSystem<dim>::momentum_residual() const
+  {
+    return gather(reinterpret_cast<const double *>(residuals.data()), n_pressures);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> BlockSystem<dim>::solid_residual() const
+  {
+    return gather(reinterpret_cast<const double *>(solid_residuals.data()), n_nodes());
   }
 
 

@@ -86,29 +86,38 @@ namespace Lahar
 
   namespace
   {
-    /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the
-    /// fluid.
+    /// Whether a node, by local number, has a pressure.
     template <int dim>
-    unsigned int first_unknown(const BlockSystem<dim> &system, const unsigned int node)
+    bool is_fluid(const BlockSystem<dim> &system, const unsigned int node)
     {
-      return dim * node + std::min(node, system.n_fluid_nodes());
+      return system.partition().nodes()[node] < system.n_fluid_nodes();
+    }
+
+    /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the
+    /// fluid, of which @p n_fluid_before nodes have smaller numbers.
+    template <int dim>
+    unsigned int first_unknown(const unsigned int node, const unsigned int n_fluid_before)
+    {
+      return dim * node + n_fluid_before;
     }
 
     /**
-     * Go through the entries of a node's velocity rows in that order: @p velocity(k) is called for the k-th neighbour
-     * in the velocity graph, and after it @p pressure(l) if this is the l-th one in the graph of the pressures.
+     * Go through the entries of an own node's velocity rows in that order: @p velocity(k) is called for the k-th
+     * neighbour in the velocity graph, and after it @p pressure(l) if this is the l-th one in the graph of the
+     * pressures.
      */
     template <int dim, typename Velocity, typename Pressure>
     void for_each_entry(const BlockSystem<dim> &system, const unsigned int node, const Velocity &velocity,
                         const Pressure &pressure)
     {
       const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
-      const unsigned int n_fluid  = fluid.degree(node);
-      const unsigned int *columns = n_fluid > 0 ? &fluid.columns[fluid.row_start[node]] : nullptr;
+      const unsigned int number   = system.fluid_number(node);
+      const unsigned int n_fluid  = is_fluid(system, node) ? fluid.degree(number) : 0;
+      const unsigned int *columns = n_fluid > 0 ? &fluid.columns[fluid.row_start[number]] : nullptr;
       for (unsigned int k = 0, l = 0; k < all.degree(node); ++k)
       {
         velocity(k);
-        if (l < n_fluid && columns[l] == all.columns[all.row_start[node] + k])
+        if (l < n_fluid && system.local_number(columns[l]) == all.columns[all.row_start[node] + k])
           pressure(l++);
       }
     }
@@ -118,44 +127,53 @@ namespace Lahar
     std::unique_ptr<Epetra_CrsMatrix> make_interleaved(const BlockSystem<dim> &system)
     {
       const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
-      const unsigned int n_nodes = system.n_nodes();
-      const Epetra_Map rows(static_cast<int>(first_unknown(system, n_nodes)), 0,
-                            system.matrix().block(0, 0).trilinos_matrix().Comm());
+      const std::vector<unsigned int> &nodes = system.partition().nodes();
+      const unsigned int n_own               = system.partition().n_own();
+
+      std::vector<int> unknowns;
+      for (unsigned int i = 0; i < system.partition().n_with_rows(); ++i)
+        for (unsigned int a = 0; a < dim + (is_fluid(system, i) ? 1U : 0U); ++a)
+          unknowns.push_back(first_unknown<dim>(nodes[i], std::min(nodes[i], system.n_fluid_nodes())) + a);
+      const auto &communicator = system.matrix().block(0, 0).trilinos_matrix().Comm();
+      const Epetra_Map rows(-1, static_cast<int>(first_unknown<dim>(n_own, system.n_own_fluid_nodes())),
+                            unknowns.data(), 0, communicator),
+        column_map(-1, static_cast<int>(unknowns.size()), unknowns.data(), 0, communicator);
 
       std::vector<int> row_lengths;
-      for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int i = 0; i < n_own; ++i)
       {
-        row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i) + fluid.degree(i));
-        if (i < system.n_fluid_nodes())
-          row_lengths.push_back((dim + 1) * fluid.degree(i));
+        const unsigned int n_fluid = is_fluid(system, i) ? fluid.degree(system.fluid_number(i)) : 0;
+        row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i) + n_fluid);
+        if (is_fluid(system, i))
+          row_lengths.push_back((dim + 1) * n_fluid);
       }
-      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, rows, rows, row_lengths.data(), true);
+      auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, rows, column_map, row_lengths.data(), true);
 
       std::vector<int> velocity_row, pressure_row;
       std::vector<double> zeros;
-      for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int i = 0; i < n_own; ++i)
       {
         velocity_row.clear();
         pressure_row.clear();
         for_each_entry(
           system, i,
           [&](const unsigned int k) {
-            const unsigned int first = first_unknown(system, all.columns[all.row_start[i] + k]);
+            const unsigned int column = all.columns[all.row_start[i] + k];
             for (unsigned int b = 0; b < dim; ++b)
-              velocity_row.push_back(first + b);
+              velocity_row.push_back(first_unknown<dim>(column, system.fluid_number(column)) + b);
           },
           [&](const unsigned int) {
             velocity_row.push_back(velocity_row.back() + 1);
             pressure_row.insert(pressure_row.end(), velocity_row.end() - dim - 1, velocity_row.end());
           });
         zeros.assign(velocity_row.size(), 0.);
-        const unsigned int row = first_unknown(system, i);
+        const unsigned int row = first_unknown<dim>(i, system.fluid_number(i));
         for (unsigned int a = 0; a < dim; ++a)
           matrix->InsertMyValues(row + a, velocity_row.size(), zeros.data(), velocity_row.data());
-        if (i < system.n_fluid_nodes())
+        if (is_fluid(system, i))
           matrix->InsertMyValues(row + dim, pressure_row.size(), zeros.data(), pressure_row.data());
       }
-      matrix->FillComplete();
+      matrix->FillComplete(rows, rows);
       matrix->OptimizeStorage();
       return matrix;
     }
@@ -169,7 +187,7 @@ namespace Lahar
 
       const double *K = system.values(0, 0), *Q = system.values(0, 1), *C = system.values(1, 0),
                    *H = system.values(1, 1);
-      for (unsigned int i = 0; i < system.n_nodes(); ++i)
+      for (unsigned int i = 0; i < system.partition().n_own(); ++i)
       {
         for (unsigned int a = 0; a < dim; ++a)
           for_each_entry(
@@ -179,12 +197,13 @@ namespace Lahar
                 *values++ = *K++;
             },
             [&](const unsigned int) { *values++ = *Q++; });
-        for (unsigned int k = 0; k < system.graph().degree(i); ++k)
-        {
-          for (unsigned int b = 0; b < dim; ++b)
-            *values++ = *C++;
-          *values++ = *H++;
-        }
+        if (is_fluid(system, i))
+          for (unsigned int k = 0; k < system.graph().degree(system.fluid_number(i)); ++k)
+          {
+            for (unsigned int b = 0; b < dim; ++b)
+              *values++ = *C++;
+            *values++ = *H++;
+          }
       }
     }
   } // namespace
@@ -210,8 +229,8 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::apply_whole(const Vector &right_hand_side, Vector &solution)
   {
-    const unsigned int n_fluid_nodes = right_hand_side.block(1).size(),
-                       n_nodes       = right_hand_side.block(0).size() / dim;
+    const unsigned int n_fluid_nodes = right_hand_side.block(1).locally_owned_size(),
+                       n_nodes       = right_hand_side.block(0).locally_owned_size() / dim;
     const double *v = right_hand_side.block(0).begin(), *p = right_hand_side.block(1).begin();
     double *interleaved = (*whole.right_hand_side)[0];
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -269,7 +288,7 @@ namespace Lahar
     const auto &rhs = system.right_hand_side().block(b);
     std::copy(rhs.begin(), rhs.end(), (*factorization.right_hand_side)[0]);
     factorization.apply();
-    std::copy((*factorization.solution)[0], (*factorization.solution)[0] + rhs.size(),
+    std::copy((*factorization.solution)[0], (*factorization.solution)[0] + rhs.locally_owned_size(),
               solution.block(b).begin());
     return 1;
   }

@@ -9,22 +9,19 @@ namespace Lahar
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix> make_schur_complement(const BlockSystem<dim> &system)
   {
-    const unsigned int n_nodes                 = system.n_fluid_nodes();
-    const NodalGraph &velocity_graph           = system.velocity_graph();
+    const NodePartition &partition             = system.partition();
     const std::vector<unsigned int> &row_start = system.graph().row_start, &columns = system.graph().columns;
-    const double *K = system.values(0, 0), *Q = system.values(0, 1), *C = system.values(1, 0),
-                 *H = system.values(1, 1);
+    const double *C = system.values(1, 0), *H = system.values(1, 1);
 
-    const auto diagonal = [&](const unsigned int node, const unsigned int a) {
-      const unsigned int start = velocity_graph.row_start[node], degree = velocity_graph.degree(node);
-      return K[dim * dim * start + dim * (a * degree + velocity_graph.place(node, node)) + a];
-    };
-
-    const Epetra_Map rows(static_cast<int>(n_nodes), 0, system.matrix().block(0, 0).trilinos_matrix().Comm());
-    auto schur = std::make_unique<Epetra_CrsMatrix>(Copy, rows, rows, 0);
+    std::vector<int> global_numbers;
+    for (unsigned int number = 0; number < system.graph().n_rows(); ++number)
+      global_numbers.push_back(partition.nodes()[system.local_number(number)]);
+    const Epetra_Map rows(-1, static_cast<int>(system.n_own_fluid_nodes()), global_numbers.data(), 0,
+                          system.matrix().block(0, 0).trilinos_matrix().Comm());
+    auto schur = std::make_unique<Epetra_CrsMatrix>(Copy, rows, 0);
 
     // One row after the other in a table by column.
-    std::vector<int> place_in_row(n_nodes, -1), row_columns;
+    std::vector<int> place_in_row(global_numbers.size(), -1), row_columns, row_numbers;
     std::vector<double> row;
     const auto add = [&](const unsigned int column, const double value) {
       if (place_in_row[column] < 0)
@@ -35,21 +32,26 @@ namespace Lahar
       }
       row[place_in_row[column]] += value;
     };
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    for (unsigned int i = 0; i < system.n_own_fluid_nodes(); ++i)
     {
       for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
       {
         add(columns[k], H[k]);
         const unsigned int node = columns[k], start = row_start[node], degree = row_start[node + 1] - start;
+        const Tensor<1, dim> &diagonal = system.velocity_diagonal(system.local_number(node));
         for (unsigned int a = 0; a < dim; ++a)
         {
-          const double factor = -C[dim * k + a] / diagonal(node, a);
+          const double factor = -C[dim * k + a] / diagonal[a];
+          const double *Q     = system.gradient_row(node, a);
           if (factor != 0.)
             for (unsigned int l = 0; l < degree; ++l)
-              add(columns[start + l], factor * Q[dim * start + a * degree + l]);
+              add(columns[start + l], factor * Q[l]);
         }
       }
-      schur->InsertGlobalValues(i, row.size(), row.data(), row_columns.data());
+      for (const int column : row_columns)
+        row_numbers.push_back(global_numbers[column]);
+      schur->InsertGlobalValues(global_numbers[i], row.size(), row.data(), row_numbers.data());
+      row_numbers.clear();
       for (const int column : row_columns)
         place_in_row[column] = -1;
       row.clear();

@@ -23,14 +23,17 @@ namespace Lahar
 
 
   Progress::Progress(const std::string &directory, const double start_time, const double end_time,
-                     const double earlier_wall_time)
-    : log(directory + "/log", earlier_wall_time > 0. ? std::ios::app : std::ios::out)
+                     const double earlier_wall_time, const bool silent)
+    : silent(silent)
     , on_terminal(isatty(STDOUT_FILENO))
     , start_time(start_time)
     , end_time(end_time)
     , earlier_wall_time(earlier_wall_time)
     , start(std::chrono::steady_clock::now())
-  {}
+  {
+    if (!silent)
+      log.open(directory + "/log", earlier_wall_time > 0. ? std::ios::app : std::ios::out);
+  }
 
 
 
@@ -44,6 +47,8 @@ namespace Lahar
 
   void Progress::step(const Line &line)
   {
+    if (silent)
+      return;
     const double done = (line.time - start_time) / (end_time - start_time);
     const double left = wall_time() * (1. - done) / done;
 
@@ -63,6 +68,8 @@ namespace Lahar
 
   void Progress::message(const std::string &text)
   {
+    if (silent)
+      return;
     log << text << std::endl;
     std::cout << text << std::endl;
   }

@@ -1,4 +1,5 @@
 #include <lahar/simulator/simulator.h>
+#include <lahar/utilities/ranks.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -52,7 +53,7 @@ namespace Lahar
     const bool by_time = parameters.time_between_checkpoints > 0. &&
                          progress->wall_time() - last_checkpoint_wall_time >
                            parameters.time_between_checkpoints;
-    return by_steps || by_time;
+    return Utilities::MPI::broadcast(communicator, by_steps || by_time);
   }
 
 
@@ -61,16 +62,18 @@ namespace Lahar
   void Simulator<dim>::write_checkpoint()
   {
     last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
-    convergence << std::flush;
-    convergence_size = std::filesystem::file_size(parameters.output_directory + "/convergence");
-    std::ostringstream data;
-    {
-      boost::archive::binary_oarchive archive(data);
-      const std::map<std::string, std::string> values = prm.values();
-      archive << values;
-      save_or_load(archive);
-    }
-    checkpoint.write(data.str());
+    on_first_rank(communicator, [this] {
+      convergence << std::flush;
+      convergence_size = std::filesystem::file_size(parameters.output_directory + "/convergence");
+      std::ostringstream data;
+      {
+        boost::archive::binary_oarchive archive(data);
+        const std::map<std::string, std::string> values = prm.values();
+        archive << values;
+        save_or_load(archive);
+      }
+      checkpoint.write(data.str());
+    });
   }
 
 

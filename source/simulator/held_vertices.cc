@@ -47,7 +47,7 @@ namespace Lahar
       if (n_blocked[v] >= n_blocked_to_hold && can_be_held[v])
       {
         can_be_held[v] = false;
-        constraints[v] = {dim, unit_symmetric_tensor<dim>()};
+        constraints[v] = {dim, unit_symmetric_tensor<dim>(), false};
         ++n_held;
       }
     }

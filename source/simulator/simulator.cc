@@ -2,7 +2,10 @@
 #include <lahar/boundary/open_floor.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/ranks.h>
 #include <lahar/utilities/stop_signal.h>
+
+#include <boost/crc.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -144,7 +147,11 @@ namespace Lahar
     double cell_steps     = 0.;
     const double rounding = 1e-10 * parameters.time_step;
     const StopSignal stop;
-    while (time < parameters.end_time - rounding && !stop.received())
+    const auto is_stopped = [&] {
+      return Utilities::MPI::max(stop.received() ? 1U : 0U, communicator) == 1U;
+    };
+    bool stopped = false;
+    while (time < parameters.end_time - rounding && !(stopped = is_stopped()))
     {
       const double output_time = last_output_time + parameters.output_interval;
       step(step_control->next(time,
@@ -165,7 +172,7 @@ namespace Lahar
     }
     write_statistics();
     write_checkpoint();
-    if (stop.received())
+    if (stopped)
       progress->message(stop.name() + ": stopped after step " + std::to_string(step_number) + " at " +
                         std::to_string(time) + " s. Option --resume goes on from here.");
     if (cell_steps > 0.)
@@ -179,25 +186,29 @@ namespace Lahar
   {
     const std::string &directory = parameters.output_directory;
     progress = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time,
-                                          earlier_wall_time);
+                                          earlier_wall_time, !is_first_rank(communicator));
     last_checkpoint_wall_time = progress->wall_time();
     if (resumed)
     {
-      std::error_code ignored; // without the file it is begun anew
-      std::filesystem::resize_file(directory + "/convergence", convergence_size, ignored);
-      convergence.open(directory + "/convergence", std::ios::app);
+      on_first_rank(communicator, [&] {
+        std::error_code ignored; // without the file it is begun anew
+        std::filesystem::resize_file(directory + "/convergence", convergence_size, ignored);
+        convergence.open(directory + "/convergence", std::ios::app);
+      });
       progress->message("Resumed after step " + std::to_string(step_number) + " at " + std::to_string(time) +
                         " s.\n" + sizes());
       advance_output_time(); // the interval may be another one
       return;
     }
-    checkpoint.remove();
     visualization = std::make_unique<Visualization<dim>>(directory);
-    convergence.open(directory + "/convergence");
-    convergence << "# step, time (s), iteration, relative increments of velocity and pressure\n"
-                << std::flush;
     progress->message(sizes());
-    visualization->write(snapshot());
+    on_first_rank(communicator, [&] {
+      checkpoint.remove();
+      convergence.open(directory + "/convergence");
+      convergence << "# step, time (s), iteration, relative increments of velocity and pressure\n"
+                  << std::flush;
+      visualization->write(snapshot());
+    });
     last_output_time = parameters.start_time;
   }
 
@@ -216,8 +227,25 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_output()
   {
-    visualization->write(snapshot());
+    on_first_rank(communicator, [this] { visualization->write(snapshot()); });
     write_statistics();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::check_ranks() const
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+    boost::crc_32_type sum;
+    sum.process_bytes(particles.position.data(), particles.size() * sizeof(Point<dim>));
+    sum.process_bytes(particles.velocity.data(), particles.size() * sizeof(Tensor<1, dim>));
+    const auto range = Utilities::MPI::min_max_avg(static_cast<double>(sum.checksum()), communicator);
+    if (range.min != range.max)
+      throw RunError("Time " + std::to_string(time) +
+                     " s: the ranks' particles differ. Do all ranks run the same program on the same kind of "
+                     "processor?");
   }
 
 
@@ -225,6 +253,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::step(double time_step)
   {
+    check_ranks();
     if (step_number > 0 && geometry.has_fluid())
       remesh(time_step);
 
@@ -396,7 +425,7 @@ namespace Lahar
     add_to_column(statistics, "Pressure increment", report.pressure_increment);
     add_to_column(statistics, "Momentum residual (N)", report.momentum_residual);
     add_to_column(statistics, "Mass residual (m^dim/s)", report.mass_residual);
-    for (unsigned int i = 0; i < report.increments.size(); ++i)
+    for (unsigned int i = 0; i < report.increments.size() && convergence.is_open(); ++i)
       convergence << step_number << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
                   << report.increments[i].second << '\n';
     statistics.add_value("Linear iterations", report.linear_iterations);
@@ -432,8 +461,10 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_statistics()
   {
-    write_atomically(parameters.output_directory + "/statistics", [this](std::ostream &file) {
-      statistics.write_text(file, TableHandler::table_with_separate_column_description);
+    on_first_rank(communicator, [this] {
+      write_atomically(parameters.output_directory + "/statistics", [this](std::ostream &file) {
+        statistics.write_text(file, TableHandler::table_with_separate_column_description);
+      });
     });
   }
 

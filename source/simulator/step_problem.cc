@@ -1,5 +1,6 @@
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/simulator/step_problem.h>
+#include <lahar/simulator/undetermined_pressures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace Lahar
 
   template <int dim>
   StepProblem<dim>::StepProblem(const MPI_Comm &communicator, TimerOutput &timer)
-    : timer(timer)
+    : communicator(communicator)
+    , timer(timer)
     , system(communicator)
   {}
 
@@ -59,7 +61,8 @@ namespace Lahar
     solid.start(solids, *mesh, solid_integration, end_time);
     constraints = vertex_constraints;
     solid.add_constraints(constraints);
-    reinit_system();
+    fix_undetermined_pressures(mesh->cells(), constraints);
+    reinit_system(cloud);
     linear_solver->forget();
 
     const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
@@ -118,15 +121,19 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::reinit_system()
+  void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud)
   {
     if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
     {
       TimerOutput::Scope scope(timer, "Set up system");
       numbered_cells       = mesh->cells();
       numbered_solid_nodes = solid.nodes();
+      std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
+      solid.get_positions(positions);
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        positions[v] = cloud.position[mesh->particle(v)];
       system.reinit(mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
-                    solid.nodes_per_cell());
+                    solid.nodes_per_cell(), positions);
       solution = system.make_vector();
     }
     system.set_constraints(constraints);
@@ -226,17 +233,25 @@ namespace Lahar
 
 
   template <int dim>
+  bool StepProblem<dim>::on_all_ranks(const bool fine) const
+  {
+    return Utilities::MPI::min(fine ? 1U : 0U, communicator) == 1U;
+  }
+
+
+
+  template <int dim>
   void StepProblem<dim>::assemble(const Linearization &linearization)
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system))
+      if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
-      if (!solid.assemble(gravity, system))
+      if (!on_all_ranks(solid.assemble(gravity, system)))
         throw RunError("an element of a solid is inverted");
     }
     if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
@@ -275,10 +290,8 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::start_increment()
   {
-    for (unsigned int v = 0; v < system.n_nodes(); ++v)
-      velocity_change[v] = system.velocity(solution, v);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      pressure_change[v] = system.pressure(solution, v);
+    velocity_change = system.velocities(solution);
+    pressure_change = system.pressures(solution);
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
     base_velocity = node_velocities();
@@ -329,7 +342,10 @@ namespace Lahar
   void StepProblem<dim>::hold_blocked_vertices()
   {
     if (held_vertices.update(constraints))
+    {
+      fix_undetermined_pressures(mesh->cells(), constraints);
       system.set_constraints(constraints);
+    }
   }
 
 
@@ -408,9 +424,10 @@ namespace Lahar
   template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::solid_reactions() const
   {
+    const std::vector<Tensor<1, dim>> residual = system.solid_residual();
     std::vector<Tensor<1, dim>> reactions;
     for (const unsigned int node : solid.nodes())
-      reactions.push_back(system.solid_residual()[node]);
+      reactions.push_back(residual[node]);
     return reactions;
   }
 

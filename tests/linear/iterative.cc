@@ -80,7 +80,7 @@ void test(const unsigned int n)
   assembler.set_stabilization(mesh, *law, state);
   assembler.start_plastic_dual(mesh, *law, state);
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(n_vertices, mesh.cells());
+  system.reinit(n_vertices, mesh.cells(), 0, {}, 0, state.position);
   system.set_constraints(constraints);
   assembler.assemble(mesh, *law, gravity, state, {}, system);
 

@@ -9,7 +9,7 @@
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/vector.h>
 
-#include <lahar/linear/nodal_graph.h>
+#include <lahar/linear/node_partition.h>
 
 #include <array>
 #include <vector>
@@ -21,12 +21,14 @@ namespace Lahar
   /**
    * Which velocity components of a node are prescribed: the first #n_fixed ones in the orthonormal basis whose vectors
    * are the rows of #frame. A free node has none, a no-slip node all, a node on a slip wall one for each wall normal.
+   * The pressure may be prescribed, too.
    */
   template <int dim>
   struct NodeConstraint
   {
     unsigned int n_fixed = 0;
     Tensor<2, dim> frame = unit_symmetric_tensor<dim>();
+    bool fixed_pressure  = false;
   };
 
   /**
@@ -42,6 +44,10 @@ namespace Lahar
    * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the
    * two share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow
    * graph(), which has the fluid's.
+   *
+   * Each rank has the rows of its own nodes, see NodePartition, and assembles all cells that it knows. The graphs are in
+   * local numbers; a fluid node's row in graph() and its place as a column there is fluid_number() of its local number,
+   * which counts the known nodes of the fluid before it.
    *
    * Prescribed components are eliminated while cells are added: their rows and columns stay empty but for the diagonal,
    * their right-hand side is zero (increments keep prescribed values). Nodes with a skew frame have their unknowns in
@@ -60,34 +66,47 @@ namespace Lahar
 
     /**
      * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
-     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own.
+     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own. With more
+     * than one rank the nodes are shared out by their @p positions, or by their numbers if there are none. Collective.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
                 const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
-                const unsigned int nodes_per_solid_cell = 0);
+                const unsigned int nodes_per_solid_cell = 0, const std::vector<Point<dim>> &positions = {});
 
-    /// Set the prescribed components, one entry a node.
+    /// Numbers of the fluid's cells that this rank adds, ascending.
+    const std::vector<unsigned int> &cells() const
+    {
+      return node_partition.cells(0);
+    }
+
+    /// The same of the solids' cells.
+    const std::vector<unsigned int> &solid_cells() const
+    {
+      return node_partition.cells(1);
+    }
+
+    /// Set what is prescribed, one entry a node.
     void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
 
     /// Clear matrix, right-hand side and reactions.
     void set_zero();
 
     /**
-     * Add matrix and residual of cell @p c. Local unknown (I, component) has the index I (dim+1) + component, component
+     * Add matrix and residual of cell cells()[@p k]. Local unknown (I, component) has the index I (dim+1) + component, component
      * dim is the pressure.
      */
-    void add(const unsigned int c,
+    void add(const unsigned int k,
              const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
              const std::array<double, n_corners * n_corners> &residual);
 
     /**
-     * Add @p matrix and @p residual of solid cell @p c; local unknown (I, component) has the index I dim + component.
+     * Add @p matrix and @p residual of solid cell solid_cells()[@p k]; local unknown (I, component) has the index I dim + component.
      * The nodes of solids have none or all of their components prescribed; those are eliminated in the
      * arguments, too.
      */
-    void add_solid(const unsigned int c, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
+    void add_solid(const unsigned int k, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
 
-    /// Add a force of a node, to residual and solid_residual().
+    /// Add a force of a node, to residual and solid_residual(). All ranks call it for all nodes.
     void add_solid(const unsigned int node, const Tensor<1, dim> &residual);
 
     /// All nodes.
@@ -99,7 +118,31 @@ namespace Lahar
     /// Nodes with a pressure.
     unsigned int n_fluid_nodes() const
     {
-      return pressure_graph.n_rows();
+      return n_pressures;
+    }
+
+    /// The nodes of this rank.
+    const NodePartition &partition() const
+    {
+      return node_partition;
+    }
+
+    /// Own nodes with a pressure: the first ones.
+    unsigned int n_own_fluid_nodes() const
+    {
+      return n_own_pressures;
+    }
+
+    /// Number of the fluid's nodes before a local number, which may be one beyond the last.
+    unsigned int fluid_number(const unsigned int local_node) const
+    {
+      return fluid_numbers[local_node];
+    }
+
+    /// Local number of a node of the fluid from its fluid_number().
+    unsigned int local_number(const unsigned int fluid_number) const
+    {
+      return local_numbers[fluid_number];
     }
 
     const NodalGraph &graph() const
@@ -123,11 +166,17 @@ namespace Lahar
       return block_matrix;
     }
 
-    /// Values of block (@p row, @p column) in the order of the block's graph.
+    /// Values of this rank's rows of block (@p row, @p column) in the order of the block's graph.
     const double *values(const unsigned int row, const unsigned int column) const
     {
       return block_values[row][column];
     }
+
+    /// diag(K) of an own node or one of the halo, by local number.
+    const Tensor<1, dim> &velocity_diagonal(const unsigned int local_node) const;
+
+    /// Row of component @p a of a fluid's node, own or of the halo, in Q, by fluid_number().
+    const double *gradient_row(const unsigned int fluid_number, const unsigned int a) const;
 
     const Vector &right_hand_side() const
     {
@@ -137,52 +186,54 @@ namespace Lahar
     /// A vector of the system's layout, zero.
     Vector make_vector() const;
 
-    /// Velocity increment of a node from the vector of unknowns.
-    Tensor<1, dim> velocity(const Vector &solution, const unsigned int node) const;
+    /// Velocity increments of all nodes from the vector of unknowns, on all ranks. Collective.
+    std::vector<Tensor<1, dim>> velocities(const Vector &solution) const;
 
-    /// Pressure increment of a node.
-    double pressure(const Vector &solution, const unsigned int node) const;
+    /// Pressure increments of all nodes of the fluid, on all ranks. Collective.
+    std::vector<double> pressures(const Vector &solution) const;
 
     /**
      * Sum over the fluid's cells of the momentum residual of each fluid node, prescribed components included, N: where
-     * the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid.
+     * the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid. Collective.
      */
-    const std::vector<Tensor<1, dim>> &momentum_residual() const
-    {
-      return residuals;
-    }
+    std::vector<Tensor<1, dim>> momentum_residual() const;
 
-    /// The same for the solids' cells, of all nodes.
-    const std::vector<Tensor<1, dim>> &solid_residual() const
-    {
-      return solid_residuals;
-    }
+    /// The same for the solids' cells, of all nodes. Collective.
+    std::vector<Tensor<1, dim>> solid_residual() const;
 
   private:
     void rotate(const Cell &cell,
                 std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
                 std::array<double, n_corners * n_corners> &residual) const;
 
-    MPI_Comm communicator;
+    std::vector<Tensor<1, dim>> gather(const double *own, const unsigned int n) const;
+    void number_unknowns();
+    void make_matrices();
+
+    NodePartition node_partition;
+    unsigned int n_pressures = 0, n_own_pressures = 0;
+    std::vector<unsigned int> fluid_numbers, local_numbers;
 
     using Places = std::vector<std::array<unsigned short, n_corners * n_corners>>;
 
-    std::vector<Cell> cells;
-    std::vector<unsigned int> solid_cells;
+    std::vector<Cell> local_cells; ///< by local numbers
+    std::vector<unsigned int> local_solid_cells;
     unsigned int nodes_per_solid_cell = 0;
     NodalGraph pressure_graph, all_graph;
     Places places, velocity_places; ///< of node J in the row of node I of the two graphs, by cell
     std::vector<unsigned short> solid_places;
     unsigned int n_reinits = 0;
 
-    std::vector<NodeConstraint<dim>> constraints;
+    std::vector<NodeConstraint<dim>> constraints, local_constraints;
     bool any_skew = false;
 
     TrilinosWrappers::BlockSparseMatrix block_matrix;
     Vector rhs;
     std::array<std::array<double *, 2>, 2> block_values = {};
     std::array<double *, 2> rhs_values                  = {};
-    std::vector<Tensor<1, dim>> residuals, solid_residuals;
+    std::vector<double> halo_gradient;                      ///< Q's rows of the halo, as those of this rank
+    std::vector<Tensor<1, dim>> velocity_diagonals;         ///< of own nodes and the halo
+    std::vector<Tensor<1, dim>> residuals, solid_residuals; ///< by local number
   };
 } // namespace Lahar
 

@@ -33,9 +33,10 @@ namespace Lahar
      * @param directory where `log` is written; a resumed run appends to it.
      * @param start_time,end_time s, for the estimate of what is left.
      * @param earlier_wall_time what the run took before it was resumed, s; zero for a new one.
+     * @param silent on all ranks but one: nothing is written.
      */
     Progress(const std::string &directory, const double start_time, const double end_time,
-             const double earlier_wall_time);
+             const double earlier_wall_time, const bool silent);
 
     void step(const Line &line);
 
@@ -50,7 +51,7 @@ namespace Lahar
 
   private:
     std::ofstream log;
-    bool on_terminal;
+    bool silent, on_terminal;
     double start_time, end_time, earlier_wall_time;
     std::chrono::steady_clock::time_point start;
   };

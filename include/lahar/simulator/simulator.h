@@ -35,7 +35,8 @@ namespace Lahar
   /**
    * Computes a case: creates the particles, makes time steps until the end time, writes the results.
    *
-   * step() is one time step from beginning to end.
+   * step() is one time step from beginning to end. Every rank has all particles and both meshes and does the same with
+   * them; the ranks share the work of assembling and solving the linear systems (StepProblem). The first rank writes.
    */
   template <int dim>
   class Simulator
@@ -77,6 +78,8 @@ namespace Lahar
      */
     void step(double time_step);
 
+    /// @throws RunError if the particles are not the same on all ranks.
+    void check_ranks() const;
     void remesh(const double time_step);
     /// Largest ratio of speed and spacing in the mesh, 1/s.
     double fastest_movement() const;

@@ -20,7 +20,8 @@ namespace Lahar
    * together. The nonlinear schemes drive it.
    *
    * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these
-   * (SolidStep).
+   * (SolidStep). Every rank has the whole state; the system is shared out among the ranks, and its solution collected on
+   * all of them. All functions that assemble, solve or return reactions are collective.
    */
   template <int dim>
   class StepProblem
@@ -127,7 +128,7 @@ namespace Lahar
 
     /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared
     /// nodes.
-    const std::vector<Tensor<1, dim>> &reactions() const
+    std::vector<Tensor<1, dim>> reactions() const
     {
       return system.momentum_residual();
     }
@@ -141,7 +142,9 @@ namespace Lahar
     }
 
   private:
-    void reinit_system();
+    void reinit_system(const ParticleCloud<dim> &cloud);
+    /// Whether something is so on all ranks.
+    bool on_all_ranks(const bool fine) const;
     void start_increment();
     void move_state();
     /// Velocities of all nodes.
@@ -153,6 +156,7 @@ namespace Lahar
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
     void set_norms();
 
+    MPI_Comm communicator;
     TimerOutput &timer;
     FluidAssembler<dim> assembler;
     BlockSystem<dim> system;

@@ -1,0 +1,21 @@
+#ifndef lahar_simulator_undetermined_pressures_h
+#define lahar_simulator_undetermined_pressures_h
+
+#include <lahar/linear/block_system.h>
+#include <lahar/remeshing/simplex_geometry.h>
+
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * Where all velocities of a connected part of the fluid are prescribed, nothing determines the level of its pressure:
+   * fix its pressures in @p constraints (by node), and only these.
+   * @param cells by node numbers.
+   */
+  template <int dim>
+  void fix_undetermined_pressures(const std::vector<Simplex<dim>> &cells,
+                                  std::vector<NodeConstraint<dim>> &constraints);
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef lahar_utilities_ranks_h
+#define lahar_utilities_ranks_h
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <string>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  bool is_first_rank(const MPI_Comm &communicator);
+
+  /**
+   * Do on the first rank alone what may fail there. @throws InputError, RunError on all ranks with the first rank's
+   * message if the action threw one. Collective.
+   */
+  void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action);
+
+  /**
+   * End a program that has failed: if all ranks arrive here within a few seconds the first one prints @p message, and
+   * the caller can return @p status. If this rank is alone, others may wait for it: it prints the message and aborts
+   * them all with that status.
+   */
+  void fail_on_all_ranks(const MPI_Comm &communicator, const std::string &message, const int status);
+} // namespace Lahar
+
+#endif

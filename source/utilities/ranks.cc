@@ -1,0 +1,78 @@
+#include <lahar/utilities/exceptions.h>
+#include <lahar/utilities/ranks.h>
+
+#include <boost/serialization/utility.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// How long the other ranks have to fail, too.
+    constexpr std::chrono::seconds patience(5);
+  } // namespace
+
+
+
+  bool is_first_rank(const MPI_Comm &communicator)
+  {
+    return Utilities::MPI::this_mpi_process(communicator) == 0;
+  }
+
+
+
+  void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action)
+  {
+    enum Outcome : int
+    {
+      success,
+      wrong_input,
+      failed_run
+    } outcome = success;
+    std::string message;
+    if (is_first_rank(communicator))
+      try
+      {
+        action();
+      }
+      catch (const InputError &error)
+      {
+        outcome = wrong_input;
+        message = error.what();
+      }
+      catch (const RunError &error)
+      {
+        outcome = failed_run;
+        message = error.what();
+      }
+    const auto news = Utilities::MPI::broadcast(communicator,
+                                                std::make_pair(static_cast<int>(outcome), message));
+    if (news.first == wrong_input)
+      throw InputError(news.second);
+    if (news.first == failed_run)
+      throw RunError(news.second);
+  }
+
+
+
+  void fail_on_all_ranks(const MPI_Comm &communicator, const std::string &message, const int status)
+  {
+    MPI_Request request;
+    MPI_Ibarrier(communicator, &request);
+    const auto start = std::chrono::steady_clock::now();
+    int all_failed   = 0;
+    while (all_failed == 0 && std::chrono::steady_clock::now() - start < patience)
+    {
+      MPI_Test(&request, &all_failed, MPI_STATUS_IGNORE);
+      if (all_failed == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (all_failed == 0 || is_first_rank(communicator))
+      std::cerr << message << std::endl;
+    if (all_failed == 0)
+      MPI_Abort(communicator, status);
+  }
+} // namespace Lahar

@@ -1,0 +1,195 @@
+#!/usr/bin/python3
+"""Test the program `lahar` on several ranks, each run in a directory of its own.
+
+column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an elastic
+          barrier, in space with the iterative solver; linear and nonlinear tolerances are tight, so that rounding is all
+          that differs.
+resume:   a checkpoint of two ranks is resumed on three and on one.
+faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
+          out of memory the others do not wait for ever.
+
+Usage: ranks.py GROUP LAHAR MPIEXEC
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
+
+COLUMN = """
+set Output directory = out
+set End time         = 0.03
+set Time step        = 2e-3
+set Mesh size        = 0.015
+subsection Geometry
+  set Fluid boxes   = 0, 0 : 0.146, 0.292
+  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
+end
+subsection Fluid
+  subsection Bingham
+    set Yield stress = 20
+  end
+end
+subsection Nonlinear solver
+  set Tolerance = 1e-8
+end
+subsection Linear solver
+  subsection Direct
+    set Tolerance = 1e-8
+  end
+  subsection Iterative
+    set Tolerance = 1e-8
+  end
+end
+"""
+
+BARRIER = COLUMN + """
+subsection Solids
+  set Number of solids = 1
+  subsection Solid 1
+    set Box     = 0.16, 0 : 0.172, 0.08
+    set Clamped = 0.16, 0 : 0.172, 0
+    subsection hypoelastic
+      set Density         = 2500
+      set Young's modulus = 1e6
+      set Poisson's ratio = 0
+    end
+  end
+end
+"""
+
+SPACE = """
+set Dimension        = 3
+set Output directory = out
+set End time         = 0.012
+set Time step        = 2e-3
+set Mesh size        = 0.02
+subsection Geometry
+  set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, 0.15
+  set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
+end
+subsection Fluid
+  subsection Bingham
+    set Yield stress = 20
+  end
+end
+subsection Nonlinear solver
+  set Tolerance = 1e-8
+end
+subsection Linear solver
+  set Type = iterative
+  subsection Iterative
+    set Tolerance = 1e-8
+  end
+end
+"""
+
+CASES = {"column": COLUMN, "barrier": BARRIER, "space": SPACE}
+
+# What measures convergence, not the flow.
+CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",
+               "Linear iterations", "Nonlinear iterations", "Wall time (s)")
+
+n_failed = 0
+
+
+def check(what, condition, *details):
+    global n_failed
+    print(("ok: " if condition else "FAILED: ") + what, flush=True)
+    if not condition:
+        n_failed += 1
+        for detail in details:
+            print("    " + str(detail).replace("\n", "\n    "))
+
+
+def run(directory, n_ranks, *arguments, program=None):
+    """Run case.prm, by hand-made mpiexec arguments if there is a program."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                       OMPI_MCA_plm_rsh_agent="", OMPI_MCA_mpi_yield_when_idle="1")
+    program = program or [LAHAR, *arguments, "case.prm"]
+    return subprocess.run([MPIEXEC, "-np", str(n_ranks), *program], cwd=directory, env=environment,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=400)
+
+
+def new_case(parent, name, text):
+    directory = os.path.join(parent, name)
+    os.mkdir(directory)
+    with open(os.path.join(directory, "case.prm"), "w") as file:
+        file.write(text)
+    return directory
+
+
+def read_statistics(directory):
+    text = open(os.path.join(directory, "out", "statistics")).read()
+    columns = re.findall(r"^# \d+: (.*)$", text, re.M)
+    rows = [[float(value) for value in line.split()] for line in text.splitlines() if not line.startswith("#")]
+    return {name: [row[i] for row in rows] for i, name in enumerate(columns)}
+
+
+def compare(what, expected, found, tolerance=1e-6):
+    check(what + ": the same columns and steps", list(expected) == list(found) and
+          len(expected["Time (s)"]) == len(found["Time (s)"]) > 5)
+    worst, where = 0., ""
+    for name, values in expected.items():
+        if name not in CONVERGENCE and not name.startswith("Volume change"):
+            scale = max(map(abs, values)) or 1.
+            error = max(abs(a - b) for a, b in zip(values, found[name])) / scale
+            worst, where = max((worst, where), (error, name))
+    for name in ("Volume change by solver", "Volume change by remeshing"):  # relative already
+        error = max(abs(a - b) for a, b in zip(expected[name], found[name]))
+        worst, where = max((worst, where), (error, name))
+    check(what + ": the same values", worst <= tolerance, f"{where} differs by {worst}")
+
+
+def same_on_all(name):
+    with tempfile.TemporaryDirectory() as parent:
+        results = {}
+        for n_ranks in (1, 2, 3):
+            directory = new_case(parent, str(n_ranks), CASES[name])
+            result = run(directory, n_ranks)
+            check(f"{name}: {n_ranks} ranks", result.returncode == 0, result.returncode, result.stdout, result.stderr)
+            check(f"{name}: {n_ranks} ranks write once", result.stdout.count("Fluid particles") == 1, result.stdout)
+            results[n_ranks] = read_statistics(directory)
+        compare(f"{name}: 2 ranks and 1", results[1], results[2])
+        compare(f"{name}: 3 ranks and 1", results[1], results[3])
+
+
+def resume():
+    with tempfile.TemporaryDirectory() as parent:
+        whole, parts = new_case(parent, "whole", COLUMN), new_case(parent, "parts", COLUMN)
+        run(whole, 1)
+        check("resume: begun by 2 ranks", run(parts, 2, "--set", "End time=0.01").returncode == 0)
+        check("resume: continued by 3", run(parts, 3, "--resume", "--set", "End time=0.02").returncode == 0)
+        result = run(parts, 1, "--resume")
+        check("resume: ended by 1", result.returncode == 0, result.stdout, result.stderr)
+        compare("resume: 2, 3 and 1 ranks", read_statistics(whole), read_statistics(parts))
+
+
+def faults():
+    with tempfile.TemporaryDirectory() as parent:
+        directory = new_case(parent, "faults", COLUMN)
+        for what, arguments, status, message in (
+                ("wrong input", ("--set", "Mesh size=-1"), 2, "Mesh size"),
+                ("an entry that is none", ("--set", "Mash size=1"), 2, "Mash size"),
+                ("output that cannot be written", ("--set", "Output directory=/proc/none"), 2, "Output directory"),
+                ("a run that fails", ("--set", "Nonlinear solver/Maximum iterations=1"), 1, "no convergence")):
+            result = run(directory, 2, *arguments)
+            check(f"faults: {what}: status {status}", result.returncode == status, result.returncode, result.stderr)
+            check(f"faults: {what}: one message", len(re.findall("^lahar: ", result.stderr, re.M)) == 1 and
+                  message in result.stderr, result.stderr)
+
+        # 600 MiB of addresses are too few for the libraries and a mesh: the second rank runs out of memory somewhere.
+        case = [LAHAR, "--set", "Mesh size=0.0015", "case.prm"]
+        result = run(directory, 1, program=[*case, ":", "-np", "1", "/bin/sh", "-c",
+                                            'ulimit -v 600000; exec "$@"', "sh", *case])
+        check("faults: one rank without memory ends all", result.returncode != 0, result.returncode, result.stderr)
+
+
+if sys.argv[1] in CASES:
+    same_on_all(sys.argv[1])
+else:
+    {"resume": resume, "faults": faults}[sys.argv[1]]()
+sys.exit(1 if n_failed else 0)

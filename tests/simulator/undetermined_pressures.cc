@@ -1,0 +1,81 @@
+// Test that pressures are fixed where all velocities of a connected part are prescribed, and only there: four triangles,
+// a pair that shares an edge, a pair that shares a node; and that with it a direct solver gets by with such a part.
+
+#include <lahar/assembly/fluid_assembler.h>
+#include <lahar/linear/direct_solver.h>
+#include <lahar/simulator/undetermined_pressures.h>
+
+#include "tests.h"
+
+using namespace Tests;
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  // Nodes 0 to 3, and 4 to 8; node 9 belongs to no cell.
+  const std::vector<Simplex<2>> cells = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {6, 7, 8}};
+  std::vector<NodeConstraint<2>> constraints(10);
+  const auto fixed_pressures = [&]() {
+    fix_undetermined_pressures(cells, constraints);
+    std::string result;
+    for (const auto &constraint : constraints)
+      result += constraint.fixed_pressure ? 'x' : '.';
+    return result;
+  };
+  check("free parts", fixed_pressures() == "..........");
+  for (const unsigned int i : {0, 1, 2, 3})
+    constraints[i].n_fixed = 2;
+  check("a part whose velocities are all prescribed", fixed_pressures() == "xxxx......");
+  constraints[2].n_fixed = 1; // on a slip wall
+  for (const unsigned int i : {4, 5, 6, 7})
+    constraints[i].n_fixed = 2;
+  check("parts in which one node can move", fixed_pressures() == "..........");
+  constraints[8].n_fixed = 2;
+  check("cells that share a node are one part", fixed_pressures() == "....xxxxx.");
+
+  // A resting triangle whose nodes are all held beside one that falls.
+  ParticleCloud<2> cloud;
+  for (const auto &[x, y] :
+       std::vector<std::pair<double, double>>{{0, 0}, {1, 0}, {0, 1}, {5, 0}, {6, 0}, {5, 1}})
+    cloud.append({x, y}, ParticleKind::fluid, 1.);
+  FluidMesh<2> mesh;
+  mesh.reinit(cloud, {{0, 1, 2}, {3, 4, 5}});
+  const auto law = make_law("Newtonian",
+                            {{"Density", "1000"}, {"Viscosity", "1"}, {"Bulk modulus", "infinite"}});
+  FluidState<2> state;
+  state.factors = {1e-2, 200.};
+  state.position_factor.assign(6, 5e-3);
+  state.old_position = state.position = cloud.position;
+  state.velocity = state.old_velocity = state.acceleration = state.old_acceleration =
+    std::vector<Tensor<1, 2>>(6);
+  state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(6, 0.);
+  Tensor<1, 2> gravity;
+  gravity[1] = -9.81;
+  FluidAssembler<2> assembler;
+  parse(assembler);
+  assembler.set_stabilization(mesh, *law, state);
+  BlockSystem<2> system(MPI_COMM_WORLD);
+  system.reinit(6, mesh.cells());
+  constraints.assign(6, NodeConstraint<2>());
+  for (const unsigned int i : {0, 1, 2})
+    constraints[i].n_fixed = 2;
+  fix_undetermined_pressures(mesh.cells(), constraints);
+  system.set_constraints(constraints);
+  FluidAssembler<2>::Linearization linearization;
+  linearization.viscosity = ViscosityLinearization::picard;
+  assembler.assemble(mesh, *law, gravity, state, linearization, system);
+  DirectSolver<2> solver;
+  parse(solver);
+  auto solution = system.make_vector();
+  solver.solve(system, 1., 1., solution);
+  const auto velocities = system.velocities(solution);
+  const auto pressures  = system.pressures(solution);
+  for (unsigned int v = 0; v < 6; ++v)
+  {
+    const Tensor<1, 2> expected = v < 3 ? Tensor<1, 2>() : 1. / 200. * gravity;
+    check("velocity", (velocities[v] - expected).norm(), 1e-12);
+    check("pressure", pressures[v], 1e-8);
+  }
+  return n_failed > 0;
+}
