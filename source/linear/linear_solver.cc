@@ -8,8 +8,10 @@ namespace Lahar
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.declare_entry("Type", dim == 2 ? "direct" : "iterative", Patterns::Anything(),
-                      "'direct': factorisation; 'iterative': GMRES with a block preconditioner.");
+    prm.declare_entry(
+      "Type", dim == 2 ? "direct" : "iterative", Patterns::Anything(),
+      "'direct': factorisation, which several ranks do not make faster; 'iterative': GMRES with a block "
+      "preconditioner.");
     DirectSolver<dim>::declare_parameters(prm);
     IterativeSolver<dim>::declare_parameters(prm);
     prm.leave_subsection();

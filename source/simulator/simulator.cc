@@ -71,7 +71,13 @@ namespace Lahar
     solids.append_particles(parameters.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
-    const std::string warning   = warn_of_open_floor(particles, obstacles(contour), gravity);
+    prm.enter_subsection("Linear solver");
+    const bool solves_directly = prm.get("Type") == "direct";
+    prm.leave_subsection();
+    if (solves_directly && Utilities::MPI::n_mpi_processes(communicator) > 1)
+      warnings.push_back("Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; "
+                         "'iterative' is.");
+    const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
     if (!warning.empty())
       warnings.push_back(warning);
     set_initial_velocities();
