@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace
@@ -130,12 +131,13 @@ namespace
 
 
 
-  /// The text of deal.II's exception without its frame.
+  /// The text of deal.II's exception without its frame, which may quote a long line.
   std::string short_message(const ExceptionBase &error)
   {
     std::ostringstream text;
     error.print_info(text);
-    return Utilities::trim(text.str());
+    const std::string message = Utilities::trim(text.str());
+    return message.size() > 1000 ? message.substr(0, 1000) + " ..." : message;
   }
 
 
@@ -293,6 +295,14 @@ int main(int argc, char **argv)
   catch (const Lahar::RunError &error)
   {
     std::cerr << "lahar: the run failed. " << error.what() << std::endl;
+    return 1;
+  }
+  catch (const std::bad_alloc &)
+  {
+    std::cerr
+      << "lahar: the run failed. There is not enough memory: 'Mesh size' and the elements of solids are what "
+         "it depends on."
+      << std::endl;
     return 1;
   }
   catch (const std::exception &error)
