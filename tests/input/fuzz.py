@@ -223,7 +223,7 @@ def skeleton(message):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("lahar", type=os.path.abspath)
-    parser.add_argument("--number", type=int, default=200, help="of mutated inputs (%(default)s)")
+    parser.add_argument("--number", type=int, default=150, help="of mutated inputs (%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the random numbers (%(default)s)")
     parser.add_argument("--seconds", type=float, default=60., help="that one run may take (%(default)g)")
     parser.add_argument("--memory", type=float, default=4., help="address space of one run in GiB, 0: unlimited (%(default)g)")
