@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace
@@ -132,12 +133,13 @@ namespace
 
 
 
-  /// The text of deal.II's exception without its frame.
+  /// The text of deal.II's exception without its frame, which may quote a long line.
   std::string short_message(const ExceptionBase &error)
   {
     std::ostringstream text;
     error.print_info(text);
-    return Utilities::trim(text.str());
+    const std::string message = Utilities::trim(text.str());
+    return message.size() > 1000 ? message.substr(0, 1000) + " ..." : message;
   }
 
 
@@ -290,6 +292,14 @@ int main(int argc, char **argv)
   {
     Lahar::fail_on_all_ranks(MPI_COMM_WORLD, std::string("lahar: wrong input. ") + error.what(), 2);
     return 2;
+  }
+  catch (const std::bad_alloc &)
+  {
+    Lahar::fail_on_all_ranks(MPI_COMM_WORLD,
+                             "lahar: the run failed. There is not enough memory: 'Mesh size' and the elements "
+                             "of solids are what it depends on.",
+                             1);
+    return 1;
   }
   catch (const std::exception &error) // RunError, too
   {

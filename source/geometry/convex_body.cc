@@ -10,6 +10,9 @@ namespace Lahar
 {
   namespace
   {
+    /// The work to find the faces grows with the fourth power.
+    constexpr unsigned int max_corners = 100;
+
     /// The points that lie in the plane through @p origin, in order around the normal.
     std::vector<Point<3>> in_order(std::vector<Point<3>> points, const Tensor<1, 3> &normal)
     {
@@ -46,8 +49,10 @@ namespace Lahar
                        [&](const Point<3> &q) { return p.distance(q) <= tolerance; }))
         points.push_back(p);
 
-    // A body has few corners: every plane through three of them that has all others on one side holds a face.
+    // Every plane through three of them that has all others on one side holds a face.
     const unsigned int n = points.size();
+    if (n > max_corners)
+      throw InputError("at most " + std::to_string(max_corners) + " different corners");
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int k = j + 1; k < n; ++k)

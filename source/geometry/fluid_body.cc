@@ -6,6 +6,19 @@
 namespace Lahar
 {
   template <int dim>
+  double FluidBody<dim>::estimate_size(const double h) const
+  {
+    // Lattices of equilateral triangles and of body-centred cubes.
+    double n         = dim == 2 ? 1.2 : 1.6;
+    const Box<dim> b = box();
+    for (unsigned int d = 0; d < dim; ++d)
+      n *= (b.upper[d] - b.lower[d]) / h + 1.;
+    return n;
+  }
+
+
+
+  template <int dim>
   MeshBody<dim>::MeshBody(const std::string &name, const std::vector<Point<dim>> &nodes)
     : FluidBody<dim>(name)
     , nodes(nodes)
@@ -25,6 +38,14 @@ namespace Lahar
   double MeshBody<dim>::signed_distance(const Point<dim> &) const
   {
     return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  template <int dim>
+  double MeshBody<dim>::estimate_size(const double) const
+  {
+    return nodes.size();
   }
 
 

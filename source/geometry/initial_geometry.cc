@@ -52,6 +52,29 @@ namespace Lahar
 
 
   template <int dim>
+  void InitialGeometry<dim>::check_number_of_particles(const double h) const
+  {
+    double sum       = 0.;
+    const auto check = [&](const double n, const std::string &name) {
+      sum += n;
+      if (!(sum <= max_particles))
+      {
+        std::ostringstream message;
+        message << "Parameter 'Mesh size' is " << h << " m, which makes about " << n << " particles of "
+                << name << ". Allowed: 'Geometry/Largest number of particles', which is " << max_particles
+                << ", of all bodies and walls.";
+        throw InputError(message.str());
+      }
+    };
+    for (const auto &body : bodies)
+      check(body->estimate_size(h), "fluid body " + body->name());
+    for (const WallShape<dim> &wall : wall_shapes)
+      check(wall.estimate_size(h), "wall " + wall.name);
+  }
+
+
+
+  template <int dim>
   void InitialGeometry<dim>::check_overlaps(const Fillings &fillings, const double h) const
   {
     const double tolerance = touching * h;
@@ -146,6 +169,7 @@ namespace Lahar
                                                  ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
     check_body_sizes(h);
+    check_number_of_particles(h);
     Fillings fillings;
     for (const auto &body : bodies)
       fillings.push_back(body->fill(h));

@@ -61,6 +61,10 @@ namespace Lahar
     prm.declare_entry("Slip walls", "", Patterns::Anything(),
                       "Rigid walls with free slip, given as in 'No-slip walls'. Fluid slides along them and "
                       "does not leave them.");
+    prm.declare_entry(
+      "Largest number of particles", "10000000", Patterns::Anything(),
+      "A case is refused if it asks for more particles than this at the start, 1 to 100000000, as "
+      "estimated from the mesh size and the boxes around fluid bodies and walls.");
     if (dim == 2)
     {
       prm.declare_entry(
@@ -84,6 +88,7 @@ namespace Lahar
   void InitialGeometry<dim>::parse_parameters(Parameters &prm, const bool has_solids)
   {
     prm.enter_subsection("Geometry");
+    max_particles = prm.get_count("Largest number of particles", 1, 100000000);
     parse_bodies(prm);
     parse_walls(prm, "No-slip walls", false);
     parse_walls(prm, "Slip walls", true);

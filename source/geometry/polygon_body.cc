@@ -24,6 +24,17 @@ namespace Lahar
 
 
 
+  double PolygonBody::estimate_size(const double h) const
+  {
+    // A contour may be far longer than that of the box.
+    double n = FluidBody<2>::estimate_size(h);
+    for (unsigned int i = 0; i < contour.size(); ++i)
+      n += contour[i].distance(contour[(i + 1) % contour.size()]) / h;
+    return n;
+  }
+
+
+
   std::vector<Point<2>> PolygonBody::fill(const double h) const
   {
     return fill_polygon(contour, h);

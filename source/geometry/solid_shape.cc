@@ -134,6 +134,27 @@ namespace Lahar
 
 
   template <int dim>
+  double SolidShape<dim>::n_elements_along(const unsigned int d, const double size) const
+  {
+    return n_elements[d] > 0 ? n_elements[d] : std::max(1., std::round((upper[d] - lower[d]) / size));
+  }
+
+
+
+  template <int dim>
+  double SolidShape<dim>::estimate_size(const double size, const unsigned int degree) const
+  {
+    if (!file_cells.empty())
+      return degree == 1 ? file_vertices.size() : file_vertices.size() + 1.5 * file_cells.size();
+    double n = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      n *= degree * n_elements_along(d, size) + 1.;
+    return n;
+  }
+
+
+
+  template <int dim>
   void SolidShape<dim>::append(const double size, const unsigned int body, std::vector<Point<dim>> &vertices,
                                std::vector<CellData<dim>> &cells) const
   {
@@ -151,12 +172,11 @@ namespace Lahar
       return;
     }
 
-    std::array<unsigned int, dim> n = n_elements;
+    std::array<unsigned int, dim> n;
     unsigned int n_vertices = 1, n_boxes = 1;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      if (n[d] == 0)
-        n[d] = std::max(1., std::round((upper[d] - lower[d]) / size));
+      n[d] = n_elements_along(d, size);
       n_vertices *= n[d] + 1;
       n_boxes *= n[d];
     }

@@ -3,6 +3,7 @@
 #include <lahar/geometry/wall_shape.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Lahar
 {
@@ -14,6 +15,22 @@ namespace Lahar
     for (unsigned int i = 0; i + 1 < n + closed; ++i)
       result.push_back({{{corners[i], corners[(i + 1) % n]}}, slip});
     return result;
+  }
+
+
+
+  template <int dim>
+  double WallShape<dim>::estimate_size(const double h) const
+  {
+    double n = corners.size();
+    for (const WallFacet<dim> &facet : facets())
+    {
+      double longest = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        longest = std::max(longest, facet.corners[c].distance(facet.corners[(c + 1) % dim]));
+      n += std::pow(longest / h, dim - 1);
+    }
+    return n;
   }
 
 

@@ -56,7 +56,15 @@ namespace Lahar
       if (!solids.empty())
         for (const auto &cell : solids.mesh().dof_handler().active_cell_iterators())
         {
-          const Point<dim> unit = solids.mesh().mapping().transform_real_to_unit_cell(cell, point.reference);
+          Point<dim> unit;
+          try
+          {
+            unit = solids.mesh().mapping().transform_real_to_unit_cell(cell, point.reference);
+          }
+          catch (const typename Mapping<dim>::ExcTransformationFailed &)
+          {
+            continue; // the cell is too thin, or the point too far away
+          }
           if (!cell->reference_cell().contains_point(unit, tolerance))
             continue;
           const auto &fe            = solids.mesh().dof_handler().get_fe();

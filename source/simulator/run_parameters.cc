@@ -1,5 +1,8 @@
 #include <lahar/simulator/run_parameters.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Lahar
 {
   void RunParameters::declare_parameters(Parameters &prm)
@@ -54,9 +57,18 @@ namespace Lahar
       prm.throw_wrong_value("Minimum time step", "at most 'Time step', which is " + prm.get("Time step"));
     if (minimum_time_step == 0.)
       minimum_time_step = time_step / 64.;
+    // Times are sums of steps: each must change them.
+    const double latest = std::max(std::abs(start_time), std::abs(end_time));
+    if (minimum_time_step < 1e-14 * latest)
+      prm.throw_wrong_value(
+        time_step < 1e-12 * latest ? "Time step" : "Minimum time step",
+        "'Time step' at least 1e-12, 'Minimum time step' 0 or at least 1e-14 of 'Start time' and "
+        "'End time'");
     largest_movement = prm.get_positive("Largest movement");
     mesh_size        = prm.get_positive("Mesh size");
     output_interval  = prm.get_positive("Output interval", true);
+    if (output_interval > 0. && output_interval < 1e-9 * latest)
+      prm.throw_wrong_value("Output interval", "0 or at least 1e-9 of 'Start time' and 'End time'");
     prm.enter_subsection("Checkpoint");
     steps_between_checkpoints = prm.get_count("Steps between", 0, 1000000000);
     time_between_checkpoints  = 60. * prm.get_positive("Minutes between", true);

@@ -123,7 +123,11 @@ namespace Lahar
     for (unsigned int i = 0; i < particles.size(); ++i)
       if (particles.kind[i] == ParticleKind::fluid)
         for (unsigned int d = 0; d < dim; ++d)
+        {
           particles.velocity[i][d] = function.value(particles.position[i], d);
+          if (!std::isfinite(particles.velocity[i][d]))
+            prm.throw_wrong_value("Initial velocity", "functions that are finite in the fluid");
+        }
   }
 
 

@@ -31,6 +31,8 @@ namespace Lahar
     prm.declare_entry(
       "Degree", "2", Patterns::Anything(),
       "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
+    prm.declare_entry("Largest number of nodes", "1000000", Patterns::Anything(),
+                      "A case is refused if its solids ask for more nodes than this, 1 to 100000000.");
     prm.declare_entry(
       "Newmark gamma", "0.5", Patterns::Anything(),
       "Newmark's γ for the solids, 0.5 to 1. 0.5 keeps the energy; larger values damp vibrations.");
@@ -50,8 +52,9 @@ namespace Lahar
   {
     prm.enter_subsection("Solids");
     bodies.resize(prm.get_count("Number of solids", 0, maximum));
-    degree = prm.get_count("Degree", 1, 2);
-    gamma  = prm.get_in_range("Newmark gamma", 0.5, 1.);
+    degree    = prm.get_count("Degree", 1, 2);
+    max_nodes = prm.get_count("Largest number of nodes", 1, 100000000);
+    gamma     = prm.get_in_range("Newmark gamma", 0.5, 1.);
     for (unsigned int body = 0; body < bodies.size(); ++body)
     {
       prm.enter_subsection(body_name(body));
@@ -72,8 +75,20 @@ namespace Lahar
       return warnings;
     std::vector<Point<dim>> vertices;
     std::vector<CellData<dim>> cells;
+    double n_asked = 0.;
     for (unsigned int body = 0; body < bodies.size(); ++body)
+    {
+      n_asked += bodies[body].shape.estimate_size(degree * h, degree);
+      if (!(n_asked <= max_nodes))
+      {
+        std::ostringstream message;
+        message << "The solids up to " << bodies[body].name << " have about " << n_asked
+                << " nodes at 'Mesh size' " << h << " m. Allowed: 'Solids/Largest number of nodes', which is "
+                << max_nodes << "; 'Elements' of a box sets its number of elements.";
+        throw InputError(message.str());
+      }
       bodies[body].shape.append(degree * h, body, vertices, cells);
+    }
     solid_mesh->reinit(vertices, cells);
     const SolidMesh<dim> &mesh = *solid_mesh;
     const unsigned int n       = mesh.n_nodes();

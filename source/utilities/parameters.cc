@@ -9,6 +9,31 @@
 
 namespace Lahar
 {
+  void Parameters::parse_input(std::istream &input, const std::string &file_name,
+                               const std::string &last_line, const bool skip_undefined)
+  {
+    // deal.II calls this function for the file that a line "include file" names.
+    constexpr unsigned int deepest = 20;
+    if (depth == deepest)
+      throw InputError("Parameter file: more than " + std::to_string(deepest) +
+                       " files include each other. Allowed: a file that does not include itself.");
+    if (depth == 0)
+      skip_unknown = skip_undefined;
+    ++depth;
+    try
+    {
+      ParameterHandler::parse_input(input, file_name, last_line, skip_unknown);
+    }
+    catch (...)
+    {
+      --depth;
+      throw;
+    }
+    --depth;
+  }
+
+
+
   void Parameters::enter_subsection(const std::string &name)
   {
     ParameterHandler::enter_subsection(name);
@@ -37,7 +62,12 @@ namespace Lahar
 
   void Parameters::throw_wrong_value(const std::string &entry, const std::string &allowed) const
   {
-    throw InputError("Parameter '" + path(entry) + "' is '" + get(entry) + "'. Allowed: " + allowed + ".");
+    const auto shortened = [](const std::string &text) {
+      constexpr std::size_t longest = 1000;
+      return text.size() > longest ? text.substr(0, longest) + "..." : text;
+    };
+    throw InputError("Parameter '" + path(entry) + "' is '" + shortened(get(entry)) +
+                     "'. Allowed: " + shortened(allowed) + ".");
   }
 
 

@@ -109,6 +109,10 @@ def test_refused():
                          ("Nonlinear solver/Tolerance", "0"), ("Nonlinear solver/Maximum iterations", "0"),
                          ("Nonlinear solver/Maximum iterations", "2.5"), ("Stabilization/Viscosity limit", "-1")]:
         wrong(entry, value)
+    wrong("Time step", "1e-13", "1e-12", "End time", more=set_entry("End time", "1"))
+    wrong("Minimum time step", "1e-30", "1e-14")
+    wrong("Output interval", "1e-20", "1e-9")
+    wrong("Initial velocity", "1 / (x - x); 0", "finite")
     wrong("End time", "1", "Start time", more=set_entry("Start time", "2"))
 
     # A misspelt model: the valid names are listed.
@@ -144,6 +148,19 @@ def test_refused():
     wrong("Geometry/Mesh file", "", "groups", more=set_entry("Geometry/Fluid groups", "fluid"))
     refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *set_entry("Geometry/Mesh file", "case.prm"))
 
+    # What would need too much memory.
+    refused("too many particles", ["'Mesh size'", "1e-09", "'Geometry/Fluid boxes'", "Largest number of particles", "10000000"],
+            *set_entry("Mesh size", "1e-9"))
+    refused("walls of too many particles", ["'Mesh size'", "'Geometry/No-slip walls'", "Largest number of particles"],
+            *set_entry("Geometry/No-slip walls", "0, 0.4 : 0, 0 : 1e30, 0"))
+    refused("more particles than set", ["'Mesh size'", "'Geometry/Fluid boxes'", "which is 10,"],
+            *set_entry("Geometry/Largest number of particles", "10"))
+    wrong("Geometry/Largest number of particles", "1e9")
+    refused("too many particles in space", ["'Mesh size'", "'Geometry/Fluid boxes'", "Largest number of particles"], "--set",
+            "Dimension=3", *set_entry("Geometry/Fluid boxes", "0, 0, 0 : 1, 1, 1"), *set_entry("Mesh size", "1e-3"), text=in_space)
+    refused("a polyhedron of too many corners", ["'Geometry/Fluid polyhedra'", "at most 100"], "--set", "Dimension=3",
+            *set_entry("Geometry/Fluid polyhedra", " : ".join("%d, %d, %d" % (i, i * i, i**3) for i in range(101))), text=in_space)
+
     # Solids.
     def solid(*settings):
         return [word for setting in ("Number of solids=1", *settings)
@@ -158,6 +175,8 @@ def test_refused():
     wrong("Solids/Solid 1/Elements", "2, 0", "2 whole numbers", more=solid(box))
     wrong("Solids/Solid 1/Clamped", "1, 1 : 1, 2", "no part of the contour", more=solid(box))
     wrong("Solids/Solid 1/Traction", "1", "functions", more=solid(box))
+    refused("a solid of too many nodes", ["Solid 1", "Solids/Largest number of nodes", "1000000", "Elements"],
+            *solid(box, "S/Elements=10000, 10000"))
     refused("solid without a shape", ["Solids/Solid 1/Box", "Solids/Solid 1/Mesh file", "empty"], *solid())
     refused("solid over the fluid", ["Geometry/Fluid boxes", "overlaps a solid"],
             *solid("S/Box=0.1, 0 : 0.25, 0.1"))
@@ -177,6 +196,8 @@ def test_refused():
     refused("a line of nonsense", ["case.prm", "density 1000"], text=GOOD + "density 1000\n")
     refused("a wrong value in the file", ["'Fluid/Bingham/Density'", "heavy", "llowed"],
             text=GOOD + "subsection Fluid\nsubsection Bingham\nset Density = heavy\nend\nend\n")
+    refused("a file that includes itself", ["include each other", "llowed"], text=GOOD + "include case.prm\n")
+    refused("a long line of nonsense", ["case.prm", "xxx", "..."], text=GOOD + 10000 * "x" + "\n")
     refused("empty parameter file", ["Geometry/Fluid boxes"], text="")
     refused("missing parameter file", ["missing.prm"], text=None, case="missing.prm")
     refused("a directory as parameter file", ["'.'"], text=None, case=".")

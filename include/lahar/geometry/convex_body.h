@@ -14,7 +14,7 @@ namespace Lahar
   {
   public:
     /// @param corners in any order; points inside the hull and corners given twice do no harm.
-    /// @throws InputError if they lie in a plane.
+    /// @throws InputError if they lie in a plane or are more than 100.
     ConvexBody(const std::string &name, const std::vector<Point<3>> &corners);
 
     Box<3> box() const override;

@@ -35,6 +35,9 @@ namespace Lahar
     /// Distance of @p point from the contour, negative inside, m; its absolute value is right near the contour.
     virtual double signed_distance(const Point<dim> &point) const = 0;
 
+    /// About how many points fill() works on.
+    virtual double estimate_size(const double h) const;
+
     /// Particles of the body at the distance @p h, on its contour too.
     virtual std::vector<Point<dim>> fill(const double h) const = 0;
 
@@ -59,6 +62,8 @@ namespace Lahar
 
     /// Infinite.
     double signed_distance(const Point<dim> &) const override;
+
+    double estimate_size(const double) const override;
 
     /// The nodes, whatever the mesh size.
     std::vector<Point<dim>> fill(const double) const override;

@@ -43,7 +43,8 @@ namespace Lahar
     /**
      * Fill @p walls and, after the solids' particles that are there already, @p cloud with spacing @p h (m).
      * @return by particle, whether a wall particle stands where a body touches the wall (true for fluid particles).
-     * @throws InputError if there is no fluid, if a body is smaller than @p h, if bodies, walls and solids overlap.
+     * @throws InputError if there is no fluid, if a body is smaller than @p h, if there would be too many particles, if bodies,
+     * walls and solids overlap.
      */
     std::vector<bool> create(const double h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
                              Walls<dim> &walls) const;
@@ -57,6 +58,7 @@ namespace Lahar
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
     void check_body_sizes(const double h) const;
+    void check_number_of_particles(const double h) const;
     void check_overlaps(const Fillings &fillings, const double h) const;
     void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
 
@@ -66,6 +68,7 @@ namespace Lahar
 
     std::vector<std::unique_ptr<FluidBody<dim>>> bodies;
     std::vector<WallShape<dim>> wall_shapes;
+    unsigned int max_particles = 0;
   };
 } // namespace Lahar
 

@@ -27,6 +27,9 @@ namespace Lahar
     /// @throws InputError for a shape without volume, an unknown file or group, bad elements in the file.
     void parse_parameters(Parameters &prm);
 
+    /// About how many nodes of finite elements of the given degree append() makes.
+    double estimate_size(const double size, const unsigned int degree) const;
+
     /**
      * Append vertices and positively oriented cells, with the material id @p body.
      * @param size edge length (m) where the parameters do not give the number of elements.
@@ -36,6 +39,9 @@ namespace Lahar
 
   private:
     void parse_mesh_file(Parameters &prm);
+
+    /// Number of elements of a box along direction @p d.
+    double n_elements_along(const unsigned int d, const double size) const;
 
     Point<dim> lower, upper;
     std::array<unsigned int, dim> n_elements = {}; ///< of a box; 0: from the size

@@ -24,6 +24,9 @@ namespace Lahar
 
     std::vector<WallFacet<dim>> facets() const;
 
+    /// About how many points particles() works on.
+    double estimate_size(const double h) const;
+
     /// Particles at the distance @p h, among them the @p contacts: points of the wall where something touches it.
     std::vector<Point<dim>> particles(const std::vector<Point<dim>> &contacts, const double h) const;
 

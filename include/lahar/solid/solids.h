@@ -31,8 +31,8 @@ namespace Lahar
 
     /**
      * Make mesh and state at @p time (s). @param h the fluid's mesh size, m.
-     * @throws InputError if a part of the contour that is named holds nothing, if elements do not fit together (a node
-     * of the contour on a face of another element), if solids touch.
+     * @throws InputError if there would be too many nodes, if a part of the contour that is named holds nothing, if
+     * elements do not fit together (a node of the contour on a face of another element), if solids touch.
      * @return warnings for the user: coarse contours, and solids on which nothing acts. @p is_loaded: there is fluid or
      * gravity.
      */
@@ -105,8 +105,9 @@ namespace Lahar
     std::unique_ptr<SolidMesh<dim>> solid_mesh;
     SolidState<dim> present;
     std::vector<bool> clamped, driven;
-    double tolerance = 0.; ///< for places, m
-    bool any_loads   = false;
+    double tolerance       = 0.; ///< for places, m
+    bool any_loads         = false;
+    unsigned int max_nodes = 0;
   };
 } // namespace Lahar
 

@@ -19,6 +19,11 @@ namespace Lahar
   class Parameters : public ParameterHandler
   {
   public:
+    /// As in ParameterHandler; files that include files are followed to a depth of 20, then InputError.
+    void parse_input(std::istream &input, const std::string &file_name = "input file",
+                     const std::string &last_line = "", const bool skip_undefined = false) override;
+    using ParameterHandler::parse_input;
+
     void enter_subsection(const std::string &name);
     void leave_subsection();
 
@@ -50,6 +55,8 @@ namespace Lahar
 
   private:
     std::vector<std::string> sections;
+    unsigned int depth = 0;     ///< of the included file that is being read
+    bool skip_unknown  = false; ///< in included files, too
   };
 
   /// Split @p text at @p separator; pieces lose their surrounding white space, an empty text has no pieces.
