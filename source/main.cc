@@ -295,10 +295,11 @@ int main(int argc, char **argv)
   }
   catch (const std::bad_alloc &)
   {
-    Lahar::fail_on_all_ranks(MPI_COMM_WORLD,
-                             "lahar: the run failed. There is not enough memory: 'Mesh size' and the elements "
-                             "of solids are what it depends on.",
-                             1);
+    Lahar::fail_on_all_ranks(
+      MPI_COMM_WORLD,
+      "lahar: the run failed. There is not enough memory: 'Mesh size' and the elements "
+      "of solids are what it depends on.",
+      1);
     return 1;
   }
   catch (const std::exception &error) // RunError, too

@@ -8,11 +8,11 @@ Needs VTK (Debian: python3-vtk9) and, where there is no display, a virtual one (
 
 import argparse
 import pathlib
-import sys
 
 import numpy as np
 
-from lahar_output import OutputError, nearest_snapshots, read_pvd, run_script
+from lahar_output import nearest_snapshots, read_pvd, run_script
+from vtk_output import load_vtk, read_joined
 
 
 def parse_arguments():
@@ -29,14 +29,8 @@ def parse_arguments():
 
 def read_surface(vtk, path):
     """The outside of a snapshot as smooth triangles with the field 'speed' at its points."""
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    # Every cell has corners of its own: join them before the faces between cells can be dropped.
-    join = vtk.vtkAppendFilter()
-    join.MergePointsOn()
-    join.AddInputConnection(reader.GetOutputPort())
     surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(join.GetOutputPort())
+    surface.SetInputData(read_joined(vtk, path))
     norm = vtk.vtkArrayCalculator()
     norm.SetInputConnection(surface.GetOutputPort())
     norm.AddVectorArrayName("velocity")
@@ -51,11 +45,7 @@ def read_surface(vtk, path):
 
 def main():
     arguments = parse_arguments()
-    try:
-        import vtkmodules.all as vtk
-    except ImportError as error:
-        raise OutputError("VTK for Python is missing (Debian: apt install python3-vtk9)") from error
-
+    vtk = load_vtk()
     snapshots = read_pvd(arguments.output / "solution.pvd")
     last = len(snapshots) - 1
     chosen = (nearest_snapshots(snapshots, arguments.times) if arguments.times

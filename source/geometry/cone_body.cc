@@ -7,21 +7,39 @@
 
 namespace Lahar
 {
-  ConeBody::ConeBody(const std::string &name, const Point<3> &base, const double base_radius,
-                     const double top_radius, const double height)
+  ConeBody::ConeBody(const std::string &name, const Point<3> &base, const Point<3> &top,
+                     const double base_radius, const double top_radius)
     : FluidBody<3>(name)
     , base(base)
+    , top(top)
     , base_radius(base_radius)
     , top_radius(top_radius)
-    , height(height)
-  {}
+    , height(base.distance(top))
+  {
+    axes[2]               = (top - base) / height;
+    unsigned int steepest = 0; // of the coordinate directions, to the axis
+    for (unsigned int d = 1; d < 3; ++d)
+      if (std::abs(axes[2][d]) < std::abs(axes[2][steepest]))
+        steepest = d;
+    axes[0][steepest] = 1.;
+    axes[0] -= axes[2][steepest] * axes[2];
+    axes[0] /= axes[0].norm();
+    axes[1] = cross_product_3d(axes[2], axes[0]);
+  }
 
 
 
   Box<3> ConeBody::box() const
   {
-    const double r = std::max(base_radius, top_radius);
-    return {base - Tensor<1, 3>({r, r, 0.}), base + Tensor<1, 3>({r, r, height})};
+    std::vector<Point<3>> extremes;
+    for (const auto &[centre, radius] : {std::make_pair(base, base_radius), std::make_pair(top, top_radius)})
+      for (unsigned int d = 0; d < 3; ++d)
+        for (const double sign : {-1., 1.})
+        {
+          extremes.push_back(centre);
+          extremes.back()[d] += sign * radius * std::hypot(axes[0][d], axes[1][d]);
+        }
+    return box_around(extremes);
   }
 
 
@@ -29,9 +47,11 @@ namespace Lahar
   double ConeBody::signed_distance(const Point<3> &point) const
   {
     const Tensor<1, 3> x = point - base;
+    const double z       = axes[2] * x;
     const double slope   = (top_radius - base_radius) / height; // dr/dz of the side
-    const double side = (std::hypot(x[0], x[1]) - base_radius - slope * x[2]) / std::sqrt(1. + slope * slope);
-    return std::max({side, -x[2], x[2] - height});
+    const double side    = (std::hypot(axes[0] * x, axes[1] * x) - base_radius - slope * z) /
+                        std::sqrt(1. + slope * slope);
+    return std::max({side, -z, z - height});
   }
 
 
@@ -53,7 +73,7 @@ namespace Lahar
       }
       // The base and the top are discs; all points of the ring are corners, which filling keeps.
       for (const Point<2> &p : row == 0 || row == n_rows ? fill_polygon(ring, h) : ring)
-        contour.push_back(base + Tensor<1, 3>({p[0], p[1], share * height}));
+        contour.push_back(base + p[0] * axes[0] + p[1] * axes[1] + share * height * axes[2]);
     }
     return fill_inside(*this, contour, h);
   }

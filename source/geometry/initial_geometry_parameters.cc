@@ -6,6 +6,7 @@
 #include <lahar/geometry/polygon_body.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace Lahar
 {
@@ -50,6 +51,9 @@ namespace Lahar
                         "Upright truncated cones and cylinders of fluid, each as the centre of the base, the "
                         "two radii and the height 'x, y, z : base radius, top radius, height', separated "
                         "by ';'. The top is not wider than the base.");
+      prm.declare_entry("Fluid cylinders", "", Patterns::Anything(),
+                        "Cylinders of fluid in any direction, each as the centres of its ends and the radius "
+                        "'x, y, z : x, y, z : radius', separated by ';'.");
     }
     prm.declare_entry(
       "No-slip walls", "", Patterns::Anything(),
@@ -65,20 +69,20 @@ namespace Lahar
       "Largest number of particles", "10000000", Patterns::Anything(),
       "A case is refused if it asks for more particles than this at the start, 1 to 100000000, as "
       "estimated from the mesh size and the boxes around fluid bodies and walls.");
-    if (dim == 2)
-    {
-      prm.declare_entry(
-        "Mesh file", "", Patterns::Anything(),
-        "A gmsh file (.msh, ASCII, format 2.2 or 4.1) that gives fluid bodies and walls by physical groups.");
-      prm.declare_entry("Fluid groups", "", Patterns::Anything(),
-                        "Names of the mesh file's physical surfaces that are fluid, separated by commas.");
-      prm.declare_entry(
-        "No-slip wall groups", "", Patterns::Anything(),
-        "Names of the mesh file's physical curves that are walls without slip, separated by commas.");
-      prm.declare_entry(
-        "Slip wall groups", "", Patterns::Anything(),
-        "Names of the mesh file's physical curves that are walls with free slip, separated by commas.");
-    }
+    prm.declare_entry("Mesh file", "", Patterns::Anything(),
+                      "A gmsh file (.msh, ASCII, format 2.2 or 4.1) that gives fluid bodies and walls by "
+                      "physical groups. The fluid's particles are its nodes, so its edges should be about as "
+                      "long as 'Mesh size'.");
+    const std::string cells  = std::string("physical ") + (dim == 2 ? "surfaces" : "volumes"),
+                      facets = std::string("physical ") + (dim == 2 ? "curves" : "surfaces");
+    prm.declare_entry("Fluid groups", "", Patterns::Anything(),
+                      "Names of the mesh file's " + cells + " that are fluid, separated by commas.");
+    prm.declare_entry("No-slip wall groups", "", Patterns::Anything(),
+                      "Names of the mesh file's " + facets +
+                        " that are walls without slip, separated by commas.");
+    prm.declare_entry("Slip wall groups", "", Patterns::Anything(),
+                      "Names of the mesh file's " + facets +
+                        " that are walls with free slip, separated by commas.");
     prm.leave_subsection();
   }
 
@@ -94,9 +98,11 @@ namespace Lahar
     parse_walls(prm, "Slip walls", true);
     parse_mesh_file(prm);
     if (bodies.empty() && !has_solids)
-      throw InputError("There is no fluid: '" + prm.path("Fluid boxes") + "', '" +
-                       prm.path(dim == 2 ? "Fluid polygons" : "Fluid polyhedra") + "' and '" +
-                       prm.path(dim == 2 ? "Fluid groups" : "Fluid cones") + "' are all empty.");
+      throw InputError(
+        "There is no fluid: '" + prm.path("Fluid boxes") + "', '" +
+        prm.path(dim == 2 ? "Fluid polygons" : "Fluid polyhedra") + "'" +
+        (dim == 2 ? "" : ", '" + prm.path("Fluid cones") + "', '" + prm.path("Fluid cylinders") + "'") +
+        " and '" + prm.path("Fluid groups") + "' are all empty.");
     prm.leave_subsection();
   }
 
@@ -168,8 +174,33 @@ namespace Lahar
         const std::vector<Point<3>> p = parse_points<3>(prm, "Fluid cones", text, allowed);
         if (p.size() != 2 || !(p[1][1] > 0. && p[1][1] <= p[1][0] && p[1][2] > 0.))
           prm.throw_wrong_value("Fluid cones", allowed);
-        bodies.push_back(std::make_unique<ConeBody>(numbered(prm, "Fluid cones", ++number), p[0], p[1][0],
-                                                    p[1][1], p[1][2]));
+        bodies.push_back(std::make_unique<ConeBody>(numbered(prm, "Fluid cones", ++number), p[0],
+                                                    p[0] + Tensor<1, 3>({0., 0., p[1][2]}), p[1][0],
+                                                    p[1][1]));
+      }
+
+      number = 0;
+      for (const std::string &text : split_list(prm.get("Fluid cylinders"), ';'))
+      {
+        const std::string allowed =
+          "'x, y, z : x, y, z : radius' separated by ';', the two ends apart, the radius "
+          "above 0 (found '" +
+          text + "')";
+        const std::size_t end = text.rfind(':');
+        std::vector<Point<3>> ends;
+        double radius = 0.;
+        if (end != std::string::npos)
+          try
+          {
+            ends   = parse_points<3>(prm, "Fluid cylinders", text.substr(0, end), allowed);
+            radius = to_number(text.substr(end + 1));
+          }
+          catch (const std::invalid_argument &)
+          {}
+        if (ends.size() != 2 || !(ends[0].distance(ends[1]) > 0.) || !(radius > 0.))
+          prm.throw_wrong_value("Fluid cylinders", allowed);
+        bodies.push_back(std::make_unique<ConeBody>(numbered(prm, "Fluid cylinders", ++number), ends[0],
+                                                    ends[1], radius, radius));
       }
     }
   }
@@ -182,7 +213,7 @@ namespace Lahar
     unsigned int number = 0;
     for (const std::string &text : split_list(prm.get(entry), ';'))
     {
-      WallShape<dim> wall{numbered(prm, entry, ++number), parse_list<dim>(prm, entry, text), false, slip};
+      WallShape<dim> wall{numbered(prm, entry, ++number), parse_list<dim>(prm, entry, text), false, slip, {}};
       if constexpr (dim == 2)
       {
         if (wall.corners.size() > 2 && wall.corners.front() == wall.corners.back())
@@ -214,29 +245,31 @@ namespace Lahar
   template <int dim>
   void InitialGeometry<dim>::parse_mesh_file(Parameters &prm)
   {
-    if constexpr (dim == 2)
+    const std::string file_name = prm.get("Mesh file");
+    const auto fluid            = split_list(prm.get("Fluid groups"), ',');
+    const auto no_slip          = split_list(prm.get("No-slip wall groups"), ',');
+    const auto slip             = split_list(prm.get("Slip wall groups"), ',');
+    if (file_name.empty())
     {
-      const std::string file_name = prm.get("Mesh file");
-      const auto fluid            = split_list(prm.get("Fluid groups"), ',');
-      const auto no_slip          = split_list(prm.get("No-slip wall groups"), ',');
-      const auto slip             = split_list(prm.get("Slip wall groups"), ',');
-      if (file_name.empty())
-      {
-        if (!fluid.empty() || !no_slip.empty() || !slip.empty())
-          prm.throw_wrong_value("Mesh file", "the name of a gmsh file, since groups of it are named");
-        return;
-      }
-
-      const GmshFile file(file_name);
-      for (const std::string &group : fluid)
-        bodies.push_back(std::make_unique<MeshBody<2>>("group '" + group + "' of " + file_name,
-                                                       file.nodes_of_surface(group)));
-      for (const bool is_slip : {false, true})
-        for (const std::string &group : is_slip ? slip : no_slip)
-          for (const auto &edge : file.edges_of_curve(group))
-            wall_shapes.push_back(
-              {"group '" + group + "' of " + file_name, {edge[0], edge[1]}, false, is_slip});
+      if (!fluid.empty() || !no_slip.empty() || !slip.empty())
+        prm.throw_wrong_value("Mesh file", "the name of a gmsh file, since groups of it are named");
+      return;
     }
+
+    const GmshFile<dim> file(file_name);
+    for (const std::string &group : fluid)
+      bodies.push_back(
+        std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, file.nodes_of(group)));
+    for (const bool is_slip : {false, true})
+      for (const std::string &group : is_slip ? slip : no_slip)
+      {
+        const std::string name = "group '" + group + "' of " + file_name;
+        if constexpr (dim == 2)
+          for (const auto &[a, b] : file.facets_of(group))
+            wall_shapes.push_back({name, {a, b}, false, is_slip, {}});
+        else
+          wall_shapes.push_back({name, {}, false, is_slip, file.facets_of(group)});
+      }
   }
 
 

@@ -21,7 +21,8 @@ namespace Lahar
       "Mesh file", "", Patterns::Anything(),
       "A gmsh file (.msh, ASCII, format 2.2 or 4.1) with the solid's mesh, instead of a box.");
     prm.declare_entry("Group", "", Patterns::Anything(),
-                      "The mesh file's physical surface that is the solid.");
+                      std::string("The mesh file's physical ") + (dim == 2 ? "surface" : "volume") +
+                        " that is the solid.");
   }
 
 
@@ -70,23 +71,16 @@ namespace Lahar
   template <int dim>
   void SolidShape<dim>::parse_mesh_file(Parameters &prm)
   {
-    if constexpr (dim == 2)
+    const GmshFile<dim> file(prm.get("Mesh file"));
+    std::vector<Simplex<dim>> simplices;
+    file.cells_of(prm.get("Group"), file_vertices, simplices);
+    for (Simplex<dim> simplex : simplices)
     {
-      const GmshFile file(prm.get("Mesh file"));
-      std::vector<std::array<unsigned int, 3>> triangles;
-      file.triangles_of_surface(prm.get("Group"), file_vertices, triangles);
-      for (std::array<unsigned int, 3> triangle : triangles)
-      {
-        const SimplexCorners<2> corners{
-          {file_vertices[triangle[0]], file_vertices[triangle[1]], file_vertices[triangle[2]]}};
-        if (signed_volume<2>(corners) < 0.)
-          std::swap(triangle[1], triangle[2]);
-        file_cells.emplace_back(3);
-        std::copy(triangle.begin(), triangle.end(), file_cells.back().vertices.begin());
-      }
+      if (signed_volume<dim>(corners_of<dim>(simplex, file_vertices)) < 0.)
+        std::swap(simplex[1], simplex[2]);
+      file_cells.emplace_back(dim + 1);
+      std::copy(simplex.begin(), simplex.end(), file_cells.back().vertices.begin());
     }
-    else
-      prm.throw_wrong_value("Mesh file", "nothing in 3D: only boxes");
   }
 
 

@@ -80,10 +80,18 @@ namespace Lahar
 
 
   template <>
+  std::vector<std::array<Point<3>, 3>> WallShape<3>::triangles() const
+  {
+    return mesh_facets.empty() ? PlanePolygon(corners).triangles() : mesh_facets;
+  }
+
+
+
+  template <>
   std::vector<WallFacet<3>> WallShape<3>::facets() const
   {
     std::vector<WallFacet<3>> result;
-    for (const auto &triangle : PlanePolygon(corners).triangles())
+    for (const auto &triangle : triangles())
       result.push_back({triangle, slip});
     return result;
   }
@@ -98,9 +106,17 @@ namespace Lahar
     for (const Point<3> &p : contacts)
       if (places.insert_if_free(p, 0.1 * h))
         result.push_back(p);
-    for (const Point<3> &p : PlanePolygon(corners).fill(h))
-      if (places.near(p, 0.6 * h).empty())
-        result.push_back(p);
+    if (mesh_facets.empty())
+    {
+      for (const Point<3> &p : PlanePolygon(corners).fill(h))
+        if (places.near(p, 0.6 * h).empty())
+          result.push_back(p);
+    }
+    else
+      for (const auto &[a, b, c] : mesh_facets)
+        for (const Point<3> &p : PlanePolygon({a, b, c}).fill(h))
+          if (places.insert_if_free(p, 0.6 * h))
+            result.push_back(p);
     return result;
   }
 
@@ -110,7 +126,7 @@ namespace Lahar
   std::vector<Point<3>> WallShape<3>::samples(const double h) const
   {
     std::vector<Point<3>> result;
-    for (const auto &[a, b, c] : PlanePolygon(corners).triangles())
+    for (const auto &[a, b, c] : triangles())
     {
       const unsigned int n = 1 + std::max({a.distance(b), b.distance(c), c.distance(a)}) / (0.5 * h);
       for (unsigned int i = 0; i <= n; ++i)

@@ -1,15 +1,19 @@
+#include <lahar/geometry/box.h>
+#include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace Lahar
 {
   /**
    * How far the fluid reaches in some directions e: largest or smallest x·e of the fluid particles in the mesh, or the
-   * difference of the two, m. Isolated particles do not count.
+   * difference of the two, m. Isolated particles do not count, nor, for an extent with a box, those outside it; nan
+   * where none is in the box.
    */
   template <int dim>
   class FluidExtents : public Postprocessor<dim>
@@ -23,6 +27,11 @@ namespace Lahar
         "Columns '<name> (m)' and what they hold, 'name: max|min|extent x|y|z', separated by commas. "
         "'extent' is the largest less the smallest coordinate. In place of a coordinate there may be the "
         "angle in degrees, counted from x towards y, of a direction in the plane of x and y.");
+      const std::string point = dim == 2 ? "x, y" : "x, y, z";
+      prm.declare_entry("Boxes", "", Patterns::Anything(),
+                        "Boxes to which extents are limited, 'name: " + point + " : " + point +
+                          "' by two opposite corners in m, separated by ';'. The name is that of an extent; "
+                          "only particles in its box count.");
     }
 
     void parse_parameters(Parameters &prm) override;
@@ -41,13 +50,30 @@ namespace Lahar
       std::string name;
       Kind kind;
       Tensor<1, dim> direction;
+      Box<dim> box; ///< the whole space without a limit
     };
+
+    static Box<dim> whole_space();
 
     /// The direction that @p text names; zero if it names none.
     static Tensor<1, dim> direction_of(const std::string &text);
 
     std::vector<Extent> extents;
   };
+
+
+
+  template <int dim>
+  Box<dim> FluidExtents<dim>::whole_space()
+  {
+    Box<dim> box({}, {});
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      box.lower[d] = std::numeric_limits<double>::lowest();
+      box.upper[d] = std::numeric_limits<double>::max();
+    }
+    return box;
+  }
 
 
 
@@ -90,7 +116,15 @@ namespace Lahar
         prm.throw_wrong_value("Extents", allowed);
       extents.push_back({name_and_rule[0],
                          rule[0] == "max" ? Kind::max : (rule[0] == "min" ? Kind::min : Kind::extent),
-                         direction});
+                         direction, whole_space()});
+    }
+    for (const auto &[name, corners] : parse_named_points<dim>(prm, "Boxes", 2))
+    {
+      const auto extent = std::find_if(extents.begin(), extents.end(),
+                                       [&, &name = name](const Extent &e) { return e.name == name; });
+      if (extent == extents.end())
+        prm.throw_wrong_value("Boxes", "boxes with the names of 'Extents' (there is no '" + name + "')");
+      extent->box = Box<dim>(corners[0], corners[1]);
     }
   }
 
@@ -101,16 +135,16 @@ namespace Lahar
   {
     for (const Extent &extent : extents)
     {
-      double lower = 0., upper = 0.;
-      bool any = false;
+      double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
       for (const unsigned int particle : snapshot.mesh.particles())
-        if (snapshot.cloud.kind[particle] == ParticleKind::fluid)
-        {
-          const double x = extent.direction * snapshot.cloud.position[particle];
-          lower          = any ? std::min(lower, x) : x;
-          upper          = any ? std::max(upper, x) : x;
-          any            = true;
-        }
+      {
+        const Point<dim> &position = snapshot.cloud.position[particle];
+        if (snapshot.cloud.kind[particle] != ParticleKind::fluid || !extent.box.contains(position, 0.))
+          continue;
+        const double x = extent.direction * position;
+        lower          = std::fmin(lower, x);
+        upper          = std::fmax(upper, x);
+      }
       add_to_column(statistics, extent.name + " (m)",
                     extent.kind == Kind::max ? upper : (extent.kind == Kind::min ? lower : upper - lower));
     }

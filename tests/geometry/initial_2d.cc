@@ -146,17 +146,17 @@ int main()
       Case({{"Mesh file", file}, {"Fluid groups", "fluid"}, {"No-slip wall groups", "floor, left wall"}},
            0.03),
       0.03);
-    const GmshFile mesh(file);
+    const GmshFile<2> mesh(file);
     double length = 0.;
-    for (const auto &edge : mesh.edges_of_curve("walls"))
+    for (const auto &edge : mesh.facets_of("walls"))
       length += edge[0].distance(edge[1]);
     check("gmsh " + format + ": length of the walls", length - 0.9, 1e-12);
-    check("gmsh " + format + ": nodes of the fluid", mesh.nodes_of_surface("fluid").size() > 50);
+    check("gmsh " + format + ": nodes of the fluid", mesh.nodes_of("fluid").size() > 50);
     check_throws<InputError>("gmsh " + format + ": unknown group",
                              {file, "'roof'", "'floor'", "'left wall'", "'walls'"},
-                             [&]() { mesh.edges_of_curve("roof"); });
+                             [&]() { mesh.facets_of("roof"); });
     check_throws<InputError>("gmsh " + format + ": a curve is no surface", {"'floor'", "'fluid'"},
-                             [&]() { mesh.nodes_of_surface("floor"); });
+                             [&]() { mesh.nodes_of("floor"); });
 
     // A truncated file is refused wherever it ends.
     std::ifstream in(file);
@@ -167,7 +167,7 @@ int main()
       std::ofstream("truncated.msh") << text.substr(0, (text.size() - 20) * k / 20);
       try
       {
-        GmshFile truncated("truncated.msh");
+        GmshFile<2> truncated("truncated.msh");
         refused = false;
       }
       catch (const InputError &error)

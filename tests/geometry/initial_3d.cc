@@ -112,6 +112,18 @@ int main()
   test_body("cone", {{"Fluid cones", "0, 0, 0 : 1, 0.5, 1.5"}}, cone(1., 0.5, 1.5), 0.005, 0.12);
   test_body("cylinder", {{"Fluid cones", "0.5, 0, 0 : 0.5, 0.5, 1"}}, cone(0.5, 0.5, 1.), 0.012, 0.1);
 
+  const Point<3> end(0.9, 1.2, 0.8); // 1.7 m from the origin
+  const Case tilted({{"Fluid cylinders", "0, 0, 0 : 0.9, 1.2, 0.8 : 0.4"}}, 0.1);
+  check("cylinder in any direction: volume",
+        tilted.mesh.volume(tilted.cloud) / (numbers::PI * 0.16 * 1.7) - 1., 0.015);
+  double outside = 0.;
+  for (const Point<3> &p : tilted.cloud.position)
+  {
+    const double along = p * (end / 1.7);
+    outside            = std::max({outside, -along, along - 1.7, (p - along * (end / 1.7)).norm() - 0.4});
+  }
+  check("cylinder in any direction: particles lie in it", outside, 1e-12);
+
   const Case two({{"Fluid boxes", "0, 0, 0 : 1, 1, 1; 1, 0, 0 : 2, 1, 1"}}, 0.2);
   check("two boxes side by side", two.mesh.volume(two.cloud) - 2., 1e-10);
   const Case slip({{"Fluid boxes", "0, 0, 0 : 1, 1, 1"}, {"Slip walls", floor_wall}}, 0.2);
@@ -128,6 +140,10 @@ int main()
               {"Geometry/Fluid cones", "wider"});
   check_error("a cone without height", {{"Fluid cones", "0, 0, 0 : 0.5, 0.5, 0"}},
               {"Geometry/Fluid cones", "above 0"});
+  for (const std::string cylinder : {"0, 0, 0 : 0, 0, 0 : 0.5", "0, 0, 0 : 0, 1, 0 : 0", "0, 0, 0 : 0, 1, 0",
+                                     "0, 0, 0 : 0, 1, 0 : wide", "0.5"})
+    check_error("cylinder '" + cylinder + "'", {{"Fluid cylinders", cylinder}},
+                {"Geometry/Fluid cylinders", cylinder, "radius"});
   check_error("a wall through the fluid",
               {{"Fluid boxes", "-1, -1, -1 : 1, 1, 1"}, {"No-slip walls", floor_wall}},
               {"overlaps wall", "Geometry/No-slip walls"});

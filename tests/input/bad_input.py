@@ -6,7 +6,7 @@ refused:  wrong input ends with status 2; the message names the parameter by its
 printed:  --help, --version, --print-parameters, --check end with status 0.
 computed: a small run leaves complete, readable files; so does one that fails, with status 1.
 
-Usage: bad_input.py refused|printed|computed LAHAR MESH_FILE
+Usage: bad_input.py refused|printed|computed LAHAR MESH_FILE MESH_FILE_IN_SPACE
 """
 import glob
 import json
@@ -17,7 +17,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-LAHAR, MESH = [os.path.abspath(path) for path in sys.argv[2:4]]
+LAHAR, MESH, MESH_IN_SPACE = [os.path.abspath(path) for path in sys.argv[2:5]]
 
 GOOD = """
 set Output directory = out
@@ -94,6 +94,30 @@ def test_refused():
     for cone in ["0, 0, 0 : 0.035, 0.05, 0.05", "0, 0, 0 : 0.05, -0.01, 0.05", "0, 0, 0 : 0.05, 0.03", "0, 0 : 0.05, 0.03, 0.1"]:
         refused("cone " + cone, ["'Geometry/Fluid cones'", cone, "llowed"], "--set", "Dimension=3",
                 *set_entry("Geometry/Fluid cones", cone), text=in_space)
+    for cylinder in ["0, 0, 0 : 0, 0, 0 : 0.1", "0, 0, 0 : 0, 0, 1 : -0.1", "0, 0, 0 : 0, 0, 1", "0, 0 : 0, 1 : 0.1"]:
+        refused("cylinder " + cylinder, ["'Geometry/Fluid cylinders'", cylinder, "llowed"], "--set", "Dimension=3",
+                *set_entry("Geometry/Fluid cylinders", cylinder), text=in_space)
+
+    def mesh_in_space(file, entry, group):
+        return ["--set", "Dimension=3", *set_entry("Geometry/Mesh file", file), *set_entry("Geometry/" + entry, group)]
+
+    refused("a mesh of the plane in space", [MESH, "physical volume 'fluid'", "plane", "'Dimension' is 3"],
+            *mesh_in_space(MESH, "Fluid groups", "fluid"), text=in_space)
+    refused("unknown fluid volume", [MESH_IN_SPACE, "'water'", "'fluid'", "'block'"],
+            *mesh_in_space(MESH_IN_SPACE, "Fluid groups", "water"), text=in_space)
+    refused("unknown wall surface", [MESH_IN_SPACE, "'roof'", "'floor'", "'left wall'"],
+            *mesh_in_space(MESH_IN_SPACE, "No-slip wall groups", "roof"), text=in_space)
+    refused("groups without a file in space", ["'Geometry/Mesh file'", "groups", "llowed"],
+            *mesh_in_space("", "Fluid groups", "fluid"), text=in_space)
+    refused("unknown group of a solid in space", [MESH_IN_SPACE, "physical volume 'wood'", "'block'"],
+            "--set", "Dimension=3", *set_entry("Solids/Number of solids", "1"),
+            *set_entry("Solids/Solid 1/Mesh file", MESH_IN_SPACE), *set_entry("Solids/Solid 1/Group", "wood"),
+            *set_entry("Geometry/Fluid boxes", "0, 0, 0 : 1, 1, 1"), text=in_space)
+    refused("a mesh in space in the plane", [MESH_IN_SPACE + ":", "z = 0", "'Dimension' is 2"],
+            *set_entry("Geometry/Mesh file", MESH_IN_SPACE), *set_entry("Geometry/Fluid groups", "fluid"))
+
+    wrong("Postprocess/Fluid extents/Boxes", "tip: 0, 0 : 1, 1", "Extents", "tip")
+    wrong("Postprocess/Fluid extents/Boxes", "front: 0, 0", "x, y : x, y")
     for entry, value in [("Dimension", "4"), ("Dimension", "two"), ("Remeshing/Keep volume", "yes"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
                          ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
                          ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),

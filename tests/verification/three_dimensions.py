@@ -14,6 +14,9 @@ def test_rest(check):
     speed = max(abs(run[f"{gauge} velocity {d} (m/s)"]).max() for gauge in GAUGES for d in "xyz")
     check.below("at rest, pressure over that at the bottom", error / (WEIGHT * LEVEL), 1e-8)
     check.below("at rest, speed at the gauges (m/s)", speed, 1e-10)
+    low = 0.07 - run["low (m)"]
+    check.below("at rest, extent within a box, below its top over the mesh size", abs(low / 0.02 - 0.5).max(), 0.5)
+    check.below("at rest, steps with an extent in a box without fluid", sum(run["above (m)"] == run["above (m)"]), 0)
     for cause, change in zip(("solver", "remeshing"), volume_changes(run)):
         check.below(f"at rest, volume change by {cause}", change, 1e-12)
 

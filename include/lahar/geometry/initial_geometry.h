@@ -16,8 +16,8 @@ namespace Lahar
   /**
    * The initial fluid bodies and the rigid walls of a case.
    *
-   * Fluid bodies are boxes, polygons (in the plane), convex polyhedra and truncated cones (in space) and physical groups
-   * of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. Bodies are filled
+   * Fluid bodies are boxes, polygons (in the plane), convex polyhedra, truncated cones and cylinders (in space) and
+   * physical groups of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. Bodies are filled
    * with particles at the mesh size, walls without slip carry particles at the same distance. Where a body touches a
    * wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
    * level surface meets the wall at its height. A fluid particle that would coincide with a wall particle gives way to

@@ -14,7 +14,7 @@
 namespace Lahar
 {
   /**
-   * The undeformed shape of one solid and its simplices: a box, or a physical group of a gmsh file (2D).
+   * The undeformed shape of one solid and its simplices: a box, or a physical group of a gmsh file.
    *
    * A box of n_x × n_y (× n_z) rectangles has two triangles in each, whose diagonals alternate (five tetrahedra in 3D).
    */

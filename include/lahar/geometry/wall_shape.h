@@ -12,7 +12,8 @@ namespace Lahar
   constexpr double touching = 1e-3;
 
   /**
-   * A rigid wall as the user gives it: a polyline in the plane, a convex plane polygon in space.
+   * A rigid wall as the user gives it: a polyline in the plane; in space a convex plane polygon, or the triangles of a
+   * mesh file.
    */
   template <int dim>
   struct WallShape
@@ -21,13 +22,15 @@ namespace Lahar
     std::vector<Point<dim>> corners;
     bool closed = false; ///< of a polyline: the last corner is joined to the first, the wall is a body
     bool slip   = false;
+    std::vector<std::array<Point<dim>, dim>> mesh_facets; ///< in space, instead of corners
 
     std::vector<WallFacet<dim>> facets() const;
 
     /// About how many points particles() works on.
     double estimate_size(const double h) const;
 
-    /// Particles at the distance @p h, among them the @p contacts: points of the wall where something touches it.
+    /// Particles at the distance @p h, among them the @p contacts: points of the wall where something touches it. Corners
+    /// of facets that are smaller than 0.6 h carry none.
     std::vector<Point<dim>> particles(const std::vector<Point<dim>> &contacts, const double h) const;
 
     /// Points of the wall about 0.2 h apart (0.5 h in space), to see what it meets.
@@ -35,6 +38,10 @@ namespace Lahar
 
     /// Whether @p point lies deeper than @p tolerance in a wall that is a body.
     bool encloses(const Point<dim> &point, const double tolerance) const;
+
+  private:
+    /// The wall in space as triangles.
+    std::vector<std::array<Point<3>, 3>> triangles() const;
   };
 } // namespace Lahar
 
