@@ -143,15 +143,19 @@ def find_cases():
         text = path.read_bytes()
         files = {name.decode(): (ROOT / name.decode()).read_bytes() for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
-    for path in sorted(ROOT.glob("tests/geometry/*.msh")):
-        mesh = path.read_bytes()
-        for use, text in [
-                ("fluid", b"subsection Geometry\n  set Mesh file = case.msh\n  set Fluid groups = fluid\n"
-                          b"  set No-slip wall groups = walls\nend\n"),
-                ("solid", b"subsection Solids\n  set Number of solids = 1\n  subsection Solid 1\n    set Mesh file = case.msh\n"
-                          b"    set Group = fluid\n    set Clamped = 0, 0 : 1, 0\n  end\nend\n")]:
-            text = b"set Mesh size = 0.03\n" + text
-            cases += 2 * [Case("%s as %s" % (path.relative_to(ROOT), use), {"case.prm": text, "case.msh": mesh})]
+    # The column lies in the plane, the basin in space.
+    for pattern, dimension, size, floor in (("column*", b"2", b"0.03", b"0, 0 : 1, 0"),
+                                            ("basin*", b"3", b"0.2", b"0, 0, 0 : 1, 1, 0")):
+        for path in sorted(ROOT.glob("tests/geometry/%s.msh" % pattern)):
+            mesh = path.read_bytes()
+            for use, text in [
+                    ("fluid", b"subsection Geometry\n  set Mesh file = case.msh\n  set Fluid groups = fluid\n"
+                              b"  set No-slip wall groups = walls\nend\n"),
+                    ("solid", b"subsection Solids\n  set Number of solids = 1\n  subsection Solid 1\n"
+                              b"    set Mesh file = case.msh\n    set Group = fluid\n    set Clamped = " + floor +
+                              b"\n  end\nend\n")]:
+                text = b"set Dimension = " + dimension + b"\nset Mesh size = " + size + b"\n" + text
+                cases += 2 * [Case("%s as %s" % (path.relative_to(ROOT), use), {"case.prm": text, "case.msh": mesh})]
     return cases
 
 
