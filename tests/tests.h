@@ -23,8 +23,8 @@ namespace Tests
   inline void check(const std::string &what, const bool condition)
   {
     const bool parallel   = Utilities::MPI::job_supports_mpi(); // false where MPI was not initialised
-    const bool everywhere = parallel ? Utilities::MPI::min(condition ? 1U : 0U, MPI_COMM_WORLD) == 1U :
-                                       condition;
+    const bool everywhere = parallel ? Utilities::MPI::min(condition ? 1U : 0U, MPI_COMM_WORLD) == 1U
+                                     : condition;
     if (!parallel || Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cout << (everywhere ? "ok: " : "FAILED: ") << what << std::endl;
     n_failed += !everywhere;
