@@ -92,16 +92,16 @@ namespace Lahar
     void set_zero();
 
     /**
-     * Add matrix and residual of cell cells()[@p k]. Local unknown (I, component) has the index I (dim+1) + component, component
-     * dim is the pressure.
+     * Add matrix and residual of cell cells()[@p k]. Local unknown (I, component) has the index I (dim+1) + component,
+     * component dim is the pressure.
      */
     void add(const unsigned int k,
              const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
              const std::array<double, n_corners * n_corners> &residual);
 
     /**
-     * Add @p matrix and @p residual of solid cell solid_cells()[@p k]; local unknown (I, component) has the index I dim + component.
-     * The nodes of solids have none or all of their components prescribed; those are eliminated in the
+     * Add @p matrix and @p residual of solid cell solid_cells()[@p k]; local unknown (I, component) has the index
+     * I dim + component. The nodes of solids have none or all of their components prescribed; those are eliminated in the
      * arguments, too.
      */
     void add_solid(const unsigned int k, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
