@@ -51,6 +51,12 @@ namespace Lahar
 
   namespace
   {
+    // Along d' the primal-dual Jacobian of a yielding cell almost vanishes. Where Λ and the strain rate do not agree yet,
+    // so that this says little about the solution, part of the secant stiffness is left in it: in the cell, since a
+    // thread of a few cells that yields in tension cannot be seen in any norm over all cells.
+    constexpr double largest_stiffening = 0.3;
+    constexpr double stiffening_rate    = 3.;
+
     /// The material part of the Jacobian, 2 μ_t I' + c (A ⊗ B + B ⊗ A).
     template <int dim>
     struct ViscousTangent
@@ -83,8 +89,12 @@ namespace Lahar
         tangent.B += plastic_weight * 2. * tau_0 * plastic.derivative / rate * cell.deviator;
       else if (tau_0 > 0.)
       {
-        const double norm = std::sqrt(0.5 * (cell.plastic_dual * cell.plastic_dual));
-        tangent.B += plastic_weight * tau_0 * plastic.derivative / plastic.value / rate / std::max(1., norm) *
+        const auto norm_of  = [](const SymmetricTensor<2, dim> &t) { return std::sqrt(0.5 * (t * t)); };
+        const double gap    = norm_of(cell.plastic_dual - 2. * plastic.value * cell.deviator);
+        const double norm   = norm_of(cell.plastic_dual);
+        const double weight = std::min(plastic_weight,
+                                       1. - std::min(largest_stiffening, stiffening_rate * gap));
+        tangent.B += weight * tau_0 * plastic.derivative / plastic.value / rate / std::max(1., norm) *
                      cell.plastic_dual;
       }
       return tangent;

@@ -6,18 +6,13 @@ namespace Lahar
 {
   namespace
   {
-    // Along d' the Jacobian of a yielding cell almost vanishes. A tenth of the secant stiffness left in it while the
-    // increments are large, less than that below an increment of 1e-3, keeps the iteration from overshooting.
-    constexpr double largest_stiffening = 0.1;
-    constexpr double stiffening_rate    = 100.;
-    /// Stiffening after a step that overshot.
-    constexpr double overshoot_stiffening = 0.3;
+    /// Weight of the plastic part's derivative after a step that overshot.
+    constexpr double overshoot_weight = 0.7;
 
-    /// Without the derivatives of the geometry the iteration is robust but slow: below this increment they come back.
-    constexpr double small_increment = 0.02;
-
-    /// Increments that fall by less than this factor tell of a cycle; stiffening breaks it.
-    constexpr double stagnation = 0.7;
+    // Without the derivatives of the geometry the iteration is robust but slow: below an increment they come back, a ten
+    // times smaller one each time that they had to be left out again.
+    constexpr double largest_motion_increment = 0.2;
+    constexpr double motion_increment_factor  = 0.1;
 
     /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
     constexpr double overshoot           = 0.1;
@@ -135,11 +130,10 @@ namespace Lahar
     typename NonlinearScheme<dim>::Linearization linearization;
     linearization.viscosity = this->viscosity_linearization(problem);
 
-    linearization.plastic_weight = 1. - largest_stiffening;
     if (report.iterations == 1)
     {
-      motion         = true;
-      last_increment = std::numeric_limits<double>::max();
+      motion           = true;
+      motion_increment = largest_motion_increment;
       problem.assemble(linearization);
     }
     linearization.motion     = motion;
@@ -152,6 +146,7 @@ namespace Lahar
     if (problem.was_damped() && motion)
     {
       linearization.motion = motion = false;
+      motion_increment *= motion_increment_factor;
       problem.take_step(0.);
       problem.assemble(linearization);
       report.linear_iterations += problem.solve();
@@ -164,17 +159,13 @@ namespace Lahar
       return;
     problem.hold_blocked_vertices();
 
-    if (report.velocity_increment < small_increment)
+    if (report.velocity_increment < motion_increment)
       linearization.motion = motion = true;
 
     // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
-    const bool stagnates = report.velocity_increment > stagnation * last_increment;
-    last_increment       = report.velocity_increment;
-    linearization.plastic_weight =
-      1. - (stagnates ? largest_stiffening : std::min(largest_stiffening, stiffening_rate * last_increment));
     problem.assemble(linearization);
     double length = 1., end = problem.work_along_increment();
-    linearization.plastic_weight = 1. - overshoot_stiffening;
+    linearization.plastic_weight = overshoot_weight;
     for (unsigned int trial = 0; trial < n_trial_steps && start < 0. && end > -overshoot * start; ++trial)
     {
       length *= std::max(shortest_step, start / (start - end));

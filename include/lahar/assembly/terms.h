@@ -37,7 +37,8 @@ namespace Lahar
    * The Jacobian's material part is 2 μ_t I' + c (A ⊗ B + B ⊗ A). Picard: c = 0. Newton: A = B = d', c = 2 μ_eff'/γ̇.
    * Primal–dual (De los Reyes & González Andrade 2010; Rudi, Shih & Stadler, arXiv 2003.11115): for the plastic part
    * A = d', B = Λ̂ and c = −τ0 ψ'/(γ̇ ψ) with ψ = 1/f, Λ̂ = Λ/max(1, |Λ|), |Λ|² = Λ:Λ/2. With Λ = 2 f d' it equals
-   * Newton.
+   * Newton. Where |Λ − 2 f d'| = δ > 0, c is multiplied by 1 − min(0.3, 3 δ): along d' little but this derivative
+   * balances the secant stiffness of a yielding cell, and without the rest the iteration would overshoot.
    */
   template <int dim>
   class ViscousStress
