@@ -200,9 +200,10 @@ def run(lahar, files, arguments):
             with open(path, "wb") as file:
                 file.write(data)
             names.add(name.split("/")[0])
-        # Open MPI without daemon and without drivers for networks, which take a minute now and then.
+        # Open MPI without daemon and without drivers for networks, which take a minute now and then; with a directory
+        # of its own, since another program's MPI may remove the common one at the wrong moment.
         environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_MCA_ess_singleton_isolated="1",
-                           OMPI_MCA_pml="ob1", OMPI_MCA_btl="self")
+                           OMPI_MCA_pml="ob1", OMPI_MCA_btl="self", OMPI_MCA_orte_tmpdir_base=arguments.session)
         begin = time.monotonic()
         process = subprocess.Popen([lahar, "--check", "case.prm", *LIMITS], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit_memory)
@@ -234,6 +235,8 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="directory for the inputs that fail")
     parser.add_argument("--messages", action="store_true", help="print how often each kind of message appears")
     arguments = parser.parse_args()
+    session_directory = tempfile.TemporaryDirectory()  # lasts until the end
+    arguments.session = session_directory.name
 
     random.seed(arguments.seed)
     cases = find_cases()
