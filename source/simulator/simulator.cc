@@ -26,6 +26,7 @@ namespace Lahar
     FluidLaw::declare_parameters(prm);
     Solids<dim>::declare_parameters(prm, n_solids);
     DomainLimit<dim>::declare_parameters(prm);
+    MeshSize<dim>::declare_parameters(prm);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
@@ -44,6 +45,7 @@ namespace Lahar
     , checkpoint(prm.get("Output directory"))
   {
     parameters.parse_parameters(prm);
+    mesh_size.parse_parameters(prm, parameters.mesh_size);
     gravity          = prm.get_vector<dim>("Gravity");
     initial_velocity = prm.get("Initial velocity");
     time_integration.parse_parameters(prm);
@@ -68,7 +70,7 @@ namespace Lahar
                              geometry.has_fluid() || gravity.norm() > 0.);
     solids.append_particles(parameters.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
+    const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
@@ -261,6 +263,7 @@ namespace Lahar
       left_volume += (volume - volume_inside) / initial_volume;
       volume = volume_inside;
     }
+    mesh_size.update(particles);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh);

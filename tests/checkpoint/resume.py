@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Test checkpoints and --resume of the program `lahar` from outside, each run in a directory of its own.
 
-column, barrier, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that is not
-          (all but wall times): fluid in the plane, with an elastic barrier, in space.
+column, barrier, refined, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that
+          is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, in space.
 changed:  harmless parameters may change between the two, others are refused by name.
 damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
 killed:   SIGKILL at random moments; the next --resume works, and no file is there in part.
@@ -58,6 +58,12 @@ subsection Solids
       set Poisson's ratio = 0
     end
   end
+end
+"""
+
+REFINED = COLUMN + """
+subsection Remeshing
+  set Refined boxes = 0.1, 0 : 0.17, 0.05 : 0.0075
 end
 """
 
@@ -178,7 +184,8 @@ def test_changed(parent):
 
     for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluid/Bingham/Yield stress", "21", "20"),
                                   ("Geometry/Fluid boxes", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),
-                                  ("Remeshing/Keep volume", "false", "true")]:
+                                  ("Remeshing/Keep volume", "false", "true"),
+                                  ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1 : 0.01", "")]:
         before = contents(short)
         process = run(short, "--resume", "--set", f"{entry}={value}", "--set", "End time=0.03")
         check(f"another {entry} is refused: status 2", process.returncode == 2, process.returncode)
@@ -281,8 +288,8 @@ def main():
     group = sys.argv[1]
     parent = tempfile.mkdtemp()
     try:
-        if group in ("column", "barrier", "space"):
-            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "space": SPACE}[group])
+        if group in ("column", "barrier", "refined", "space"):
+            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "space": SPACE}[group])
         else:
             {"changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
     finally:

@@ -9,6 +9,7 @@
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/walls.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/mesh_size.h>
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/postprocess/postprocessor.h>
@@ -109,6 +110,7 @@ namespace Lahar
 
     std::unique_ptr<FluidLaw> law;
     Tensor<1, dim> gravity;
+    MeshSize<dim> mesh_size;
     InitialGeometry<dim> geometry;
     std::string initial_velocity;
     TimeIntegration time_integration;
