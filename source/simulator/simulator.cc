@@ -42,6 +42,8 @@ namespace Lahar
     , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
+    , statistics(prm.get("Output directory") + "/statistics")
+    , convergence(prm.get("Output directory") + "/convergence")
     , checkpoint(prm.get("Output directory"))
   {
     parameters.parse_parameters(prm);
@@ -174,13 +176,12 @@ namespace Lahar
       if (parameters.output_interval == 0. || time >= output_time - rounding ||
           time >= parameters.end_time - rounding)
       {
-        write_output();
+        write_snapshot();
         advance_output_time();
       }
       if (checkpoint_is_due())
         write_checkpoint();
     }
-    write_statistics();
     write_checkpoint();
     if (stopped)
       progress->message(stop.name() + ": stopped after step " + std::to_string(step_number) + " at " +
@@ -232,7 +233,7 @@ namespace Lahar
         message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
         if (!step_control->halve(time_step))
         {
-          write_output();
+          write_snapshot();
           write_checkpoint();
           throw RunError(message.str() +
                          "; the last snapshot and the checkpoint show the state before this step");
