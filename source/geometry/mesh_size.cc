@@ -47,7 +47,8 @@ namespace Lahar
         point + " : " + point +
         " : mesh size', separated by ';'. Lengths in m. Outside the mesh size grows by 0.2 m per m "
         "of distance from the box up to 'Mesh size'; where boxes overlap the smallest one counts. "
-        "It holds for fluid and walls, at the start and as the fluid flows, not for solids.");
+        "It holds for fluid and walls, at the start and as the fluid flows; a solid's box that reaches into one "
+        "has its size throughout, unless 'Elements' are given.");
     prm.leave_subsection();
   }
 

@@ -68,9 +68,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    warnings = solids.create(parameters.mesh_size, parameters.start_time,
-                             geometry.has_fluid() || gravity.norm() > 0.);
-    solids.append_particles(parameters.mesh_size, particles);
+    warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
+    solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
