@@ -1,5 +1,6 @@
 #include <lahar/geometry/cone_body.h>
 #include <lahar/geometry/lattice.h>
+#include <lahar/geometry/point_set.h>
 #include <lahar/geometry/polygon.h>
 
 #include <algorithm>
@@ -56,24 +57,42 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConeBody::fill(const double h) const
+  std::vector<Point<3>> ConeBody::fill(const MeshSize<3> &h) const
   {
     std::vector<Point<3>> contour;
+    PointSet<3> places;
+    const double finest       = h.finest_in(box());
     const double slant        = std::hypot(base_radius - top_radius, height);
-    const unsigned int n_rows = std::max(1., std::round(slant / (std::sqrt(0.75) * h)));
+    const unsigned int n_rows = std::max(1., std::round(slant / (std::sqrt(0.75) * finest)));
     for (unsigned int row = 0; row <= n_rows; ++row)
     {
       const double share = double(row) / n_rows, r = base_radius + share * (top_radius - base_radius);
-      const unsigned int n = std::max(3., std::round(2. * numbers::PI * r / h));
+      const unsigned int n = std::max(3., std::round(2. * numbers::PI * r / finest));
       Polygon ring;
       for (unsigned int i = 0; i < n; ++i)
       {
         const double angle = 2. * numbers::PI * (i + (row % 2) * 0.5) / n;
         ring.emplace_back(r * std::cos(angle), r * std::sin(angle));
       }
+      const auto in_space = [&](const Point<2> &p) {
+        return base + p[0] * axes[0] + p[1] * axes[1] + share * height * axes[2];
+      };
+      const bool is_disc = row == 0 || row == n_rows;
+      if (!h.is_uniform()) // the rings are those of the smallest size: thin them
+      {
+        Polygon thin;
+        for (const Point<2> &p : ring)
+          if (places.insert_if_free(in_space(p), 0.75 * h(in_space(p))))
+            thin.push_back(p);
+        if (!is_disc || thin.size() >= 3)
+          ring = thin;
+      }
       // The base and the top are discs; all points of the ring are corners, which filling keeps.
-      for (const Point<2> &p : row == 0 || row == n_rows ? fill_polygon(ring, h) : ring)
-        contour.push_back(base + p[0] * axes[0] + p[1] * axes[1] + share * height * axes[2]);
+      if (is_disc)
+        ring = fill_polygon(
+          ring, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels());
+      for (const Point<2> &p : ring)
+        contour.push_back(in_space(p));
     }
     return fill_inside(*this, contour, h);
   }

@@ -108,7 +108,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConvexBody::fill(const double h) const
+  std::vector<Point<3>> ConvexBody::fill(const MeshSize<3> &h) const
   {
     std::vector<Point<3>> contour;
     for (const PlanePolygon &face : faces)

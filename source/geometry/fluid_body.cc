@@ -51,7 +51,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Point<dim>> MeshBody<dim>::fill(const double) const
+  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &) const
   {
     return nodes;
   }

@@ -52,8 +52,9 @@ namespace Lahar
 
 
   template <int dim>
-  void InitialGeometry<dim>::check_number_of_particles(const double h) const
+  void InitialGeometry<dim>::check_number_of_particles(const MeshSize<dim> &mesh_size) const
   {
+    const double h   = mesh_size.coarsest();
     double sum       = 0.;
     const auto check = [&](const double n, const std::string &name) {
       sum += n;
@@ -61,15 +62,23 @@ namespace Lahar
       {
         std::ostringstream message;
         message << "Parameter 'Mesh size' is " << h << " m, which makes about " << n << " particles of "
-                << name << ". Allowed: 'Geometry/Largest number of particles', which is " << max_particles
+                << name << (mesh_size.is_uniform() ? "" : " with 'Remeshing/Refined boxes'")
+                << ". Allowed: 'Geometry/Largest number of particles', which is " << max_particles
                 << ", of all bodies and walls.";
         throw InputError(message.str());
       }
     };
     for (const auto &body : bodies)
-      check(body->estimate_size(h), "fluid body " + body->name());
+      check(body->estimate_size(h) + mesh_size.estimate_refinement(body->box(), dim),
+            "fluid body " + body->name());
     for (const WallShape<dim> &wall : wall_shapes)
-      check(wall.estimate_size(h), "wall " + wall.name);
+    {
+      std::vector<Point<dim>> corners;
+      for (const WallFacet<dim> &facet : wall.facets())
+        corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
+      check(wall.estimate_size(h) + mesh_size.estimate_refinement(box_around(corners), dim - 1),
+            "wall " + wall.name);
+    }
   }
 
 
@@ -165,16 +174,16 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<bool> InitialGeometry<dim>::create(const double h, const SolidContour<dim> &solids,
+  std::vector<bool> InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
                                                  ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
-    check_body_sizes(h);
+    check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     Fillings fillings;
     for (const auto &body : bodies)
       fillings.push_back(body->fill(h));
-    check_overlaps(fillings, h);
-    check_solids(fillings, solids, h);
+    check_overlaps(fillings, h.coarsest());
+    check_solids(fillings, solids, h.coarsest());
 
     const Walls<dim> solid_facets(solids.wall_facets());
     std::vector<WallFacet<dim>> facets;
@@ -184,8 +193,8 @@ namespace Lahar
       for (const WallFacet<dim> &facet : wall.facets())
         facets.push_back(facet);
       if (!wall.slip)
-        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h), h))
-          if (!is_near(solid_facets, p, 0.1 * h))
+        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h.coarsest()), h))
+          if (!is_near(solid_facets, p, 0.1 * h(p)))
             wall_points.push_back(p);
     }
     walls = Walls<dim>(facets);
@@ -203,20 +212,20 @@ namespace Lahar
           wet[i] = true;
       if (!near.empty())
         return;
-      cloud.append(p, kind, h);
+      cloud.append(p, kind, h(p));
       places.insert(p);
       wet.push_back(kind == ParticleKind::fluid);
     };
     for (const Point<dim> &p : wall_points)
-      add(p, ParticleKind::wall, 0.1 * h);
+      add(p, ParticleKind::wall, 0.1 * h(p));
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       for (unsigned int i = 0; i < cloud.size(); ++i)
         if (cloud.kind[i] != ParticleKind::fluid &&
-            std::abs(bodies[b]->signed_distance(cloud.position[i])) < 0.1 * h)
+            std::abs(bodies[b]->signed_distance(cloud.position[i])) < 0.1 * h(cloud.position[i]))
           wet[i] = true;
       for (const Point<dim> &p : fillings[b])
-        add(p, ParticleKind::fluid, 0.3 * h);
+        add(p, ParticleKind::fluid, 0.3 * h(p));
     }
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");

@@ -43,14 +43,18 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> PlanePolygon::fill(const double h) const
+  std::vector<Point<3>> PlanePolygon::fill(const MeshSize<3> &h) const
   {
     Polygon polygon;
     for (const Point<3> &corner : all_corners)
       polygon.emplace_back(axes[0] * (corner - all_corners[0]), axes[1] * (corner - all_corners[0]));
+    const auto in_space = [this](const Point<2> &p) {
+      return all_corners[0] + p[0] * axes[0] + p[1] * axes[1];
+    };
     std::vector<Point<3>> points;
-    for (const Point<2> &p : fill_polygon(polygon, h))
-      points.push_back(all_corners[0] + p[0] * axes[0] + p[1] * axes[1]);
+    for (const Point<2> &p : fill_polygon(
+           polygon, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels()))
+      points.push_back(in_space(p));
     return points;
   }
 

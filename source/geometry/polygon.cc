@@ -31,8 +31,9 @@ namespace Lahar
       return result;
     }
 
-    /// Points of a lattice of equilateral triangles inside the polygon, away from its contour.
-    std::vector<Point<2>> lattice_inside(const Polygon &polygon, const double h)
+    /// The wanted points of a lattice of equilateral triangles inside the polygon, away from its contour.
+    std::vector<Point<2>> lattice_inside(const Polygon &polygon, const double h,
+                                         const PointFilter<2> &is_wanted)
     {
       double lower[2], upper[2];
       for (unsigned int d = 0; d < 2; ++d)
@@ -51,29 +52,65 @@ namespace Lahar
         for (double x = lower[0] + (row % 2 ? 0.5 : 1.) * h; x < upper[0]; x += h)
         {
           const Point<2> p(x, lower[1] + row * row_height);
-          if (is_inside(polygon, p) && distance_to_contour(polygon, p) > 0.55 * h)
+          if (is_wanted(p) && is_inside(polygon, p) && distance_to_contour(polygon, p) > 0.55 * h)
             points.push_back(p);
         }
       return points;
     }
 
-    /// Move every point but the first @p n_fixed to the mean of its Delaunay neighbours, a few times.
-    void smooth(std::vector<Point<2>> &points, const unsigned int n_fixed)
+    /// Move every point but the first @p n_fixed to the mean of its Delaunay neighbours, a few times. The mean has the
+    /// weights h_0/h, h_0 the @p coarsest h, so that edges along a line become proportional to h.
+    void smooth(std::vector<Point<2>> &points, const unsigned int n_fixed, const SizeFunction<2> &h,
+                const double coarsest)
     {
       for (unsigned int sweep = 0; sweep < 10; ++sweep)
       {
         std::vector<Tensor<1, 2>> sum(points.size());
-        std::vector<unsigned int> n_neighbours(points.size(), 0);
+        std::vector<double> weights(points.size(), 0.);
         for (const Simplex<2> &cell : delaunay(points))
           for (unsigned int c = 0; c < 3; ++c)
             for (unsigned int other = 1; other < 3; ++other)
             {
-              sum[cell[c]] += Tensor<1, 2>(points[cell[(c + other) % 3]]);
-              ++n_neighbours[cell[c]];
+              const Point<2> &a = points[cell[c]], &b = points[cell[(c + other) % 3]];
+              const double weight = coarsest / h(a + 0.5 * (b - a));
+              sum[cell[c]] += weight * Tensor<1, 2>(b);
+              weights[cell[c]] += weight;
             }
         for (unsigned int i = n_fixed; i < points.size(); ++i)
-          points[i] = Point<2>(sum[i] / n_neighbours[i]);
+          points[i] = Point<2>(sum[i] / weights[i]);
       }
+    }
+
+    /// Where the pieces of the segment from @p a to @p b begin that are about h long, from 0 to 1.
+    std::vector<double> divide(const Point<2> &a, const Point<2> &b, const SizeFunction<2> &h)
+    {
+      // The integral of ds/h at places so near to each other that h, of a gradient below 1, changes little.
+      const double length = a.distance(b);
+      std::vector<double> places(1, 0.), integral(1, 0.);
+      bool is_constant = true;
+      for (double s = 0.; s < length;)
+      {
+        const double step = std::min(0.05 * h(a + s / length * (b - a)), length - s);
+        const double size = h(a + (s + 0.5 * step) / length * (b - a));
+        is_constant       = is_constant && size == h(a);
+        s                 = (step < length - s ? s + step : length);
+        places.push_back(s / length);
+        integral.push_back(integral.back() + step / size);
+      }
+      const unsigned int n = std::max(1., std::round(is_constant ? length / h(a) : integral.back()));
+      std::vector<double> result;
+      for (unsigned int k = 0, i = 0; k < n; ++k)
+        if (is_constant)
+          result.push_back(double(k) / n);
+        else
+        {
+          const double wanted = double(k) / n * integral.back();
+          while (integral[i + 1] <= wanted)
+            ++i;
+          result.push_back(places[i] + (wanted - integral[i]) / (integral[i + 1] - integral[i]) *
+                                         (places[i + 1] - places[i]));
+        }
+      return result;
     }
   } // namespace
 
@@ -125,18 +162,17 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const double h,
+  std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const SizeFunction<2> &h,
                                         const bool closed)
   {
     std::vector<Point<2>> points;
     const unsigned int n_pieces = closed ? corners.size() : corners.size() - 1;
     for (unsigned int i = 0; i < n_pieces; ++i)
     {
-      const Point<2> &a    = corners[i];
-      const Point<2> &b    = corners[(i + 1) % corners.size()];
-      const unsigned int n = std::max(1., std::round(a.distance(b) / h));
-      for (unsigned int k = 0; k < n; ++k)
-        points.push_back(a + double(k) / n * (b - a));
+      const Point<2> &a = corners[i];
+      const Point<2> &b = corners[(i + 1) % corners.size()];
+      for (const double s : divide(a, b, h))
+        points.push_back(a + s * (b - a));
     }
     if (!closed)
       points.push_back(corners.back());
@@ -145,13 +181,34 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h)
+  std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const double h,
+                                        const bool closed)
+  {
+    return sample_polyline(
+      corners, [h](const Point<2> &) { return h; }, closed);
+  }
+
+
+
+  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
+                                     const std::vector<double> &levels)
   {
     std::vector<Point<2>> points = sample_polyline(polygon, h, true);
     const unsigned int n_contour = points.size();
-    for (const Point<2> &p : lattice_inside(polygon, h))
-      points.push_back(p);
-    smooth(points, n_contour);
+    append_graded_lattice<2>(
+      h, levels,
+      [&](const double size, const PointFilter<2> &is_wanted) {
+        return lattice_inside(polygon, size, is_wanted);
+      },
+      points);
+    smooth(points, n_contour, h, levels.back());
     return points;
+  }
+
+
+
+  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h)
+  {
+    return fill_polygon(polygon, [h](const Point<2> &) { return h; }, {h});
   }
 } // namespace Lahar

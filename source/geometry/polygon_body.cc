@@ -35,9 +35,9 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> PolygonBody::fill(const double h) const
+  std::vector<Point<2>> PolygonBody::fill(const MeshSize<2> &h) const
   {
-    return fill_polygon(contour, h);
+    return fill_polygon(contour, h, h.levels());
   }
 
 

@@ -1,4 +1,4 @@
-#include <lahar/geometry/box.h>
+#include <lahar/geometry/fluid_body.h>
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/solid_shape.h>
 #include <lahar/remeshing/simplex_geometry.h>
@@ -64,6 +64,14 @@ namespace Lahar
           prm.throw_wrong_value("Elements", std::to_string(dim) + " whole numbers from 1 to 10000");
         n_elements[d] = n;
       }
+  }
+
+
+
+  template <int dim>
+  Box<dim> SolidShape<dim>::box() const
+  {
+    return file_vertices.empty() ? Box<dim>(lower, upper) : box_around(file_vertices);
   }
 
 

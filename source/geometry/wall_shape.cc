@@ -36,7 +36,8 @@ namespace Lahar
 
 
   template <>
-  std::vector<Point<2>> WallShape<2>::particles(const std::vector<Point<2>> &contacts, const double h) const
+  std::vector<Point<2>> WallShape<2>::particles(const std::vector<Point<2>> &contacts,
+                                                const MeshSize<2> &h) const
   {
     std::vector<Point<2>> kept;
     const unsigned int n_pieces = closed ? corners.size() : corners.size() - 1;
@@ -46,14 +47,15 @@ namespace Lahar
       const Point<2> &b = corners[(i + 1) % corners.size()];
       std::vector<Point<2>> on_piece;
       for (const Point<2> &p : contacts)
-        if (distance_to_segment(p, a, b) < touching * h && p.distance(a) > 0.5 * h && p.distance(b) > 0.5 * h)
+        if (distance_to_segment(p, a, b) < touching * h(p) && p.distance(a) > 0.5 * h(p) &&
+            p.distance(b) > 0.5 * h(p))
           on_piece.push_back(p);
       std::sort(on_piece.begin(), on_piece.end(), [&a](const Point<2> &p, const Point<2> &q) {
         return p.distance_square(a) < q.distance_square(a);
       });
       kept.push_back(a);
       for (const Point<2> &p : on_piece)
-        if (p.distance(kept.back()) > 0.5 * h)
+        if (p.distance(kept.back()) > 0.5 * h(p))
           kept.push_back(p);
     }
     if (!closed)
@@ -99,23 +101,24 @@ namespace Lahar
 
 
   template <>
-  std::vector<Point<3>> WallShape<3>::particles(const std::vector<Point<3>> &contacts, const double h) const
+  std::vector<Point<3>> WallShape<3>::particles(const std::vector<Point<3>> &contacts,
+                                                const MeshSize<3> &h) const
   {
     std::vector<Point<3>> result;
     PointSet<3> places;
     for (const Point<3> &p : contacts)
-      if (places.insert_if_free(p, 0.1 * h))
+      if (places.insert_if_free(p, 0.1 * h(p)))
         result.push_back(p);
     if (mesh_facets.empty())
     {
       for (const Point<3> &p : PlanePolygon(corners).fill(h))
-        if (places.near(p, 0.6 * h).empty())
+        if (places.near(p, 0.6 * h(p)).empty())
           result.push_back(p);
     }
     else
       for (const auto &[a, b, c] : mesh_facets)
         for (const Point<3> &p : PlanePolygon({a, b, c}).fill(h))
-          if (places.insert_if_free(p, 0.6 * h))
+          if (places.insert_if_free(p, 0.6 * h(p)))
             result.push_back(p);
     return result;
   }

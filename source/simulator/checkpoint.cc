@@ -6,7 +6,6 @@
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 
-#include <filesystem>
 #include <sstream>
 
 namespace Lahar
@@ -39,8 +38,8 @@ namespace Lahar
       fluid_mesh.save(archive);
     archive &time &step_number &n_rejected &n_forced_facets &n_kept_out &n_left;
     archive &initial_volume &volume &change_by_solver &change_by_remeshing &left_volume;
-    archive &*step_control &*visualization &statistics;
-    archive &last_output_time &convergence_size &earlier_wall_time;
+    archive &*step_control &*visualization;
+    archive &last_output_time &statistics_size &convergence_size &earlier_wall_time;
   }
 
 
@@ -63,8 +62,8 @@ namespace Lahar
   {
     last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
     on_first_rank(communicator, [this] {
-      convergence << std::flush;
-      convergence_size = std::filesystem::file_size(parameters.output_directory + "/convergence");
+      statistics_size  = statistics.size();
+      convergence_size = convergence.size();
       std::ostringstream data;
       {
         boost::archive::binary_oarchive archive(data);
@@ -96,6 +95,8 @@ namespace Lahar
       checkpoint.fail(std::string("cannot be read (") + error.what() + ")",
                       "one written by the same program on the same kind of machine");
     }
+    statistics.check(statistics_size);
+    convergence.check(convergence_size);
     resumed = true;
     if (parameters.end_time < time - 1e-10 * parameters.time_step)
       prm.throw_wrong_value("End time",

@@ -1,8 +1,8 @@
+#include <lahar/postprocess/statistics_line.h>
 #include <lahar/simulator/simulator.h>
-#include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/ranks.h>
 
-#include <filesystem>
+#include <sstream>
 
 namespace Lahar
 {
@@ -15,11 +15,14 @@ namespace Lahar
     last_checkpoint_wall_time = progress->wall_time();
     if (resumed)
     {
+      bool complete = true;
       on_first_rank(communicator, [&] {
-        std::error_code ignored; // without the file it is begun anew
-        std::filesystem::resize_file(directory + "/convergence", convergence_size, ignored);
-        convergence.open(directory + "/convergence", std::ios::app);
+        complete = statistics.resume(statistics_size);
+        convergence.resume(convergence_size);
       });
+      if (!complete)
+        progress->message("Warning: '" + directory +
+                          "/statistics' is not there. It begins anew, without the lines so far.");
       progress->message("Resumed after step " + std::to_string(step_number) + " at " + std::to_string(time) +
                         " s.\n" + sizes());
       advance_output_time(); // the interval may be another one
@@ -29,9 +32,9 @@ namespace Lahar
     progress->message(sizes());
     on_first_rank(communicator, [&] {
       checkpoint.remove();
-      convergence.open(directory + "/convergence");
-      convergence << "# step, time (s), iteration, relative increments of velocity and pressure\n"
-                  << std::flush;
+      statistics.begin();
+      convergence.begin();
+      convergence.append("# step, time (s), iteration, relative increments of velocity and pressure\n");
       visualization->write(snapshot());
     });
     last_output_time = parameters.start_time;
@@ -50,10 +53,9 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::write_output()
+  void Simulator<dim>::write_snapshot()
   {
     on_first_rank(communicator, [this] { visualization->write(snapshot()); });
-    write_statistics();
   }
 
 
@@ -69,55 +71,49 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::add_statistics(const double time_step, const NonlinearReport &report)
   {
-    statistics.add_value("Time step number", step_number);
-    add_to_column(statistics, "Time (s)", time);
-    add_to_column(statistics, "Time step size (s)", time_step);
-    statistics.add_value("Nonlinear iterations", report.iterations);
-    add_to_column(statistics, "Velocity increment", report.velocity_increment);
-    add_to_column(statistics, "Pressure increment", report.pressure_increment);
-    add_to_column(statistics, "Momentum residual (N)", report.momentum_residual);
-    add_to_column(statistics, "Mass residual (m^dim/s)", report.mass_residual);
-    for (unsigned int i = 0; i < report.increments.size() && convergence.is_open(); ++i)
-      convergence << step_number << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
-                  << report.increments[i].second << '\n';
-    statistics.add_value("Linear iterations", report.linear_iterations);
-    statistics.add_value("Held vertices", report.n_held);
-    statistics.add_value("Fluid cells", fluid_mesh.n_cells());
-    statistics.add_value("Solid cells", solids.mesh().n_cells());
-    statistics.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
-    add_to_column(statistics, "Fluid volume (m^dim)", volume);
-    add_to_column(statistics, "Volume change by solver", change_by_solver);
-    add_to_column(statistics, "Volume change by remeshing", change_by_remeshing);
-    statistics.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
-    statistics.add_value("Rejected steps", n_rejected);
+    TableHandler line;
+    line.add_value("Time step number", step_number);
+    add_to_column(line, "Time (s)", time);
+    add_to_column(line, "Time step size (s)", time_step);
+    line.add_value("Nonlinear iterations", report.iterations);
+    add_to_column(line, "Velocity increment", report.velocity_increment);
+    add_to_column(line, "Pressure increment", report.pressure_increment);
+    add_to_column(line, "Momentum residual (N)", report.momentum_residual);
+    add_to_column(line, "Mass residual (m^dim/s)", report.mass_residual);
+    line.add_value("Linear iterations", report.linear_iterations);
+    line.add_value("Held vertices", report.n_held);
+    line.add_value("Fluid cells", fluid_mesh.n_cells());
+    line.add_value("Solid cells", solids.mesh().n_cells());
+    line.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
+    add_to_column(line, "Fluid volume (m^dim)", volume);
+    add_to_column(line, "Volume change by solver", change_by_solver);
+    add_to_column(line, "Volume change by remeshing", change_by_remeshing);
+    line.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
+    line.add_value("Rejected steps", n_rejected);
     if (!solids.empty())
     {
-      statistics.add_value("Mended contour facets", n_forced_facets);
-      statistics.add_value("Particles kept out of solids", n_kept_out);
+      line.add_value("Mended contour facets", n_forced_facets);
+      line.add_value("Particles kept out of solids", n_kept_out);
     }
     if (domain_limit.is_set())
     {
-      statistics.add_value("Particles left the domain", n_left);
-      add_to_column(statistics, "Volume left the domain", left_volume);
+      line.add_value("Particles left the domain", n_left);
+      add_to_column(line, "Volume left the domain", left_volume);
     }
     for (const auto &postprocessor : postprocessors)
-      postprocessor->evaluate(snapshot(), statistics);
-    add_to_column(statistics, "Wall time (s)", progress->wall_time());
+      postprocessor->evaluate(snapshot(), line);
+    add_to_column(line, "Wall time (s)", progress->wall_time());
 
+    on_first_rank(communicator, [&] {
+      statistics.append((statistics.size() == 0 ? statistics_header(line) : "") + statistics_line(line));
+      std::ostringstream increments;
+      for (unsigned int i = 0; i < report.increments.size(); ++i)
+        increments << step_number << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
+                   << report.increments[i].second << '\n';
+      convergence.append(increments.str());
+    });
     progress->step({step_number, time, time_step, report.iterations, report.velocity_increment,
                     report.pressure_increment, fluid_mesh.n_cells(), change_by_solver + change_by_remeshing});
-  }
-
-
-
-  template <int dim>
-  void Simulator<dim>::write_statistics()
-  {
-    on_first_rank(communicator, [this] {
-      write_atomically(parameters.output_directory + "/statistics", [this](std::ostream &file) {
-        statistics.write_text(file, TableHandler::table_with_separate_column_description);
-      });
-    });
   }
 
 
@@ -126,12 +122,10 @@ namespace Lahar
   template void Simulator<3>::start_output();
   template void Simulator<2>::advance_output_time();
   template void Simulator<3>::advance_output_time();
-  template void Simulator<2>::write_output();
-  template void Simulator<3>::write_output();
+  template void Simulator<2>::write_snapshot();
+  template void Simulator<3>::write_snapshot();
   template Snapshot<2> Simulator<2>::snapshot() const;
   template Snapshot<3> Simulator<3>::snapshot() const;
   template void Simulator<2>::add_statistics(const double, const NonlinearReport &);
   template void Simulator<3>::add_statistics(const double, const NonlinearReport &);
-  template void Simulator<2>::write_statistics();
-  template void Simulator<3>::write_statistics();
 } // namespace Lahar

@@ -26,6 +26,7 @@ namespace Lahar
     FluidLaw::declare_parameters(prm);
     Solids<dim>::declare_parameters(prm, n_solids);
     DomainLimit<dim>::declare_parameters(prm);
+    MeshSize<dim>::declare_parameters(prm);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
@@ -41,9 +42,12 @@ namespace Lahar
     , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
+    , statistics(prm.get("Output directory") + "/statistics")
+    , convergence(prm.get("Output directory") + "/convergence")
     , checkpoint(prm.get("Output directory"))
   {
     parameters.parse_parameters(prm);
+    mesh_size.parse_parameters(prm, parameters.mesh_size);
     gravity          = prm.get_vector<dim>("Gravity");
     initial_velocity = prm.get("Initial velocity");
     time_integration.parse_parameters(prm);
@@ -64,11 +68,10 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    warnings = solids.create(parameters.mesh_size, parameters.start_time,
-                             geometry.has_fluid() || gravity.norm() > 0.);
-    solids.append_particles(parameters.mesh_size, particles);
+    warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
+    solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const std::vector<bool> wet = geometry.create(parameters.mesh_size, contour, particles, walls);
+    const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
@@ -172,13 +175,12 @@ namespace Lahar
       if (parameters.output_interval == 0. || time >= output_time - rounding ||
           time >= parameters.end_time - rounding)
       {
-        write_output();
+        write_snapshot();
         advance_output_time();
       }
       if (checkpoint_is_due())
         write_checkpoint();
     }
-    write_statistics();
     write_checkpoint();
     if (stopped)
       progress->message(stop.name() + ": stopped after step " + std::to_string(step_number) + " at " +
@@ -230,7 +232,7 @@ namespace Lahar
         message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
         if (!step_control->halve(time_step))
         {
-          write_output();
+          write_snapshot();
           write_checkpoint();
           throw RunError(message.str() +
                          "; the last snapshot and the checkpoint show the state before this step");
@@ -261,6 +263,7 @@ namespace Lahar
       left_volume += (volume - volume_inside) / initial_volume;
       volume = volume_inside;
     }
+    mesh_size.update(particles);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh);

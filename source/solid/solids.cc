@@ -67,8 +67,10 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<std::string> Solids<dim>::create(const double h, const double time, const bool is_loaded)
+  std::vector<std::string> Solids<dim>::create(const MeshSize<dim> &mesh_size, const double time,
+                                               const bool is_loaded)
   {
+    const double h = mesh_size.coarsest();
     std::vector<std::string> warnings;
     solid_mesh = std::make_unique<SolidMesh<dim>>(degree);
     if (empty())
@@ -78,16 +80,18 @@ namespace Lahar
     double n_asked = 0.;
     for (unsigned int body = 0; body < bodies.size(); ++body)
     {
-      n_asked += bodies[body].shape.estimate_size(degree * h, degree);
+      const double size = mesh_size.finest_in(bodies[body].shape.box());
+      n_asked += bodies[body].shape.estimate_size(degree * size, degree);
       if (!(n_asked <= max_nodes))
       {
         std::ostringstream message;
         message << "The solids up to " << bodies[body].name << " have about " << n_asked
-                << " nodes at 'Mesh size' " << h << " m. Allowed: 'Solids/Largest number of nodes', which is "
-                << max_nodes << "; 'Elements' of a box sets its number of elements.";
+                << " nodes at the mesh size " << size
+                << " m. Allowed: 'Solids/Largest number of nodes', which is " << max_nodes
+                << "; 'Elements' of a box sets its number of elements.";
         throw InputError(message.str());
       }
-      bodies[body].shape.append(degree * h, body, vertices, cells);
+      bodies[body].shape.append(degree * size, body, vertices, cells);
     }
     solid_mesh->reinit(vertices, cells);
     const SolidMesh<dim> &mesh = *solid_mesh;
@@ -196,12 +200,14 @@ namespace Lahar
 
 
   template <int dim>
-  void Solids<dim>::append_particles(const double h, ParticleCloud<dim> &cloud) const
+  void Solids<dim>::append_particles(const MeshSize<dim> &mesh_size, ParticleCloud<dim> &cloud) const
   {
     Assert(cloud.size() == 0, ExcInternalError());
     if (empty())
       return;
-    std::vector<double> spacing(solid_mesh->n_contour_nodes(), h);
+    std::vector<double> spacing;
+    for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
+      spacing.push_back(mesh_size(present.position[i]));
     for (const auto &facet : solid_mesh->contour())
       for (unsigned int v = 0; v < dim; ++v)
         for (const unsigned int other : facet)

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Test checkpoints and --resume of the program `lahar` from outside, each run in a directory of its own.
 
-column, barrier, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that is not
-          (all but wall times): fluid in the plane, with an elastic barrier, in space.
+column, barrier, refined, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that
+          is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, in space.
 changed:  harmless parameters may change between the two, others are refused by name.
 damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
+          Statistics that are shorter than they were: status 2; none: a warning, and they begin anew.
 killed:   SIGKILL at random moments; the next --resume works, and no file is there in part.
 full:     files cannot grow (as on a full disk): status 1, the file's name, and the checkpoint before stays valid.
 
@@ -58,6 +59,12 @@ subsection Solids
       set Poisson's ratio = 0
     end
   end
+end
+"""
+
+REFINED = COLUMN + """
+subsection Remeshing
+  set Refined boxes = 0.1, 0 : 0.17, 0.05 : 0.0075
 end
 """
 
@@ -178,7 +185,8 @@ def test_changed(parent):
 
     for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluid/Bingham/Yield stress", "21", "20"),
                                   ("Geometry/Fluid boxes", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),
-                                  ("Remeshing/Keep volume", "false", "true")]:
+                                  ("Remeshing/Keep volume", "false", "true"),
+                                  ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1 : 0.01", "")]:
         before = contents(short)
         process = run(short, "--resume", "--set", f"{entry}={value}", "--set", "End time=0.03")
         check(f"another {entry} is refused: status 2", process.returncode == 2, process.returncode)
@@ -215,7 +223,7 @@ def test_damaged(parent):
             ("truncated", good[:middle], "bytes of data"), ("cut in its header", good[:30], "truncated or corrupted"),
             ("with a byte changed", flipped, "checksum is wrong"), ("empty", b"", "is no checkpoint"),
             ("foreign", b"something else\n" * 100, "is no checkpoint"),
-            ("of an older format", good.replace(b"version 1", b"version 0", 1), "format version 0"),
+            ("of an older format", good.replace(b"version 2", b"version 1", 1), "format version 1"),
             ("too long", good + b"x", "bytes of data")]:
         with open(state, "wb") as file:
             file.write(data)
@@ -226,7 +234,27 @@ def test_damaged(parent):
         check("... files are left alone", before == contents(case) and open(state, "rb").read() == data)
     with open(state, "wb") as file:
         file.write(good)
+    for name in ["statistics", "convergence"]:
+        path = os.path.join(case, "out", name)
+        good = open(path, "rb").read()
+        with open(path, "wb") as file:
+            file.write(good[:-1])
+        before = contents(case)
+        process = run(case, "--resume", "--set", "End time=0.01")
+        check(f"{name} shortened: status 2", process.returncode == 2, process.returncode, process.err)
+        check("... the message names it and both sizes", f"out/{name}' holds {len(good) - 1} bytes, {len(good)}" in process.err, process.err)
+        check("... files are left alone", before == contents(case))
+        with open(path, "wb") as file:
+            file.write(good + b"half a lin")
     check("the good one works", run(case, "--resume", "--set", "End time=0.01").returncode == 0)
+    lines = contents(case)["statistics"]
+    check("... what stood behind the statistics' last line is gone", [line[0] for line in lines] == ["1", "2", "3", "4", "5"], lines)
+    os.remove(os.path.join(case, "out", "statistics"))
+    process = run(case, "--resume", "--set", "End time=0.014")
+    check("no statistics: status 0", process.returncode == 0, process.err)
+    check("... a warning says so", "Warning: 'out/statistics' is not there" in process.out, process.out)
+    lines = contents(case)["statistics"]
+    check("... and they begin anew with the next step", [line[0] for line in lines] == ["6", "7"], lines)
 
 
 def test_killed(parent):
@@ -273,6 +301,10 @@ def test_full(parent):
     check("files that cannot grow: status 1", process.returncode == 1, process.returncode, process.err)
     check("... the file and the reason are named", "Cannot write" in process.err and "large" in process.err, process.err)
     check("... no file is left in part", not glob.glob(os.path.join(case, "out", "**", "*.part"), recursive=True))
+    with open(os.path.join(case, "out", "statistics")) as file:
+        lines = file.read().split("\n")
+    n_columns = sum(line.startswith("#") for line in lines)
+    check("... the statistics end with a whole line", lines[-1] == "" and len(lines[-2].split()) == n_columns, lines[-2:])
     process = run(case, "--resume", "--set", "End time=0.05")
     check("with room again the run goes on from the checkpoint before", process.returncode == 0, process.err)
 
@@ -281,8 +313,8 @@ def main():
     group = sys.argv[1]
     parent = tempfile.mkdtemp()
     try:
-        if group in ("column", "barrier", "space"):
-            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "space": SPACE}[group])
+        if group in ("column", "barrier", "refined", "space"):
+            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "space": SPACE}[group])
         else:
             {"changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
     finally:

@@ -19,7 +19,7 @@ namespace Lahar
 
     Box<3> box() const override;
     double signed_distance(const Point<3> &point) const override;
-    std::vector<Point<3>> fill(const double h) const override;
+    std::vector<Point<3>> fill(const MeshSize<3> &h) const override;
     std::vector<Point<3>> corners() const override;
 
   private:

@@ -2,6 +2,7 @@
 #define lahar_geometry_fluid_body_h
 
 #include <lahar/geometry/box.h>
+#include <lahar/geometry/mesh_size.h>
 
 #include <string>
 #include <utility>
@@ -39,7 +40,7 @@ namespace Lahar
     virtual double estimate_size(const double h) const;
 
     /// Particles of the body at the distance @p h, on its contour too.
-    virtual std::vector<Point<dim>> fill(const double h) const = 0;
+    virtual std::vector<Point<dim>> fill(const MeshSize<dim> &h) const = 0;
 
     /// Its corners, as far as it has such.
     virtual std::vector<Point<dim>> corners() const
@@ -66,7 +67,7 @@ namespace Lahar
     double estimate_size(const double) const override;
 
     /// The nodes, whatever the mesh size.
-    std::vector<Point<dim>> fill(const double) const override;
+    std::vector<Point<dim>> fill(const MeshSize<dim> &) const override;
 
   private:
     std::vector<Point<dim>> nodes;

@@ -46,8 +46,8 @@ namespace Lahar
      * @throws InputError if there is no fluid, if a body is smaller than @p h, if there would be too many particles, if bodies,
      * walls and solids overlap.
      */
-    std::vector<bool> create(const double h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
-                             Walls<dim> &walls) const;
+    std::vector<bool> create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
+                             ParticleCloud<dim> &cloud, Walls<dim> &walls) const;
 
   private:
     void parse_bodies(Parameters &prm);
@@ -58,7 +58,7 @@ namespace Lahar
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
     void check_body_sizes(const double h) const;
-    void check_number_of_particles(const double h) const;
+    void check_number_of_particles(const MeshSize<dim> &mesh_size) const;
     void check_overlaps(const Fillings &fillings, const double h) const;
     void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
 

@@ -1,6 +1,7 @@
 #ifndef lahar_geometry_plane_polygon_h
 #define lahar_geometry_plane_polygon_h
 
+#include <lahar/geometry/mesh_size.h>
 #include <lahar/geometry/polygon.h>
 
 #include <array>
@@ -34,7 +35,7 @@ namespace Lahar
     double signed_distance(const Point<3> &point) const;
 
     /// Points at the distance @p h, as fill_polygon() places them; those on an edge depend on that edge only.
-    std::vector<Point<3>> fill(const double h) const;
+    std::vector<Point<3>> fill(const MeshSize<3> &h) const;
 
     /// The polygon as triangles.
     std::vector<std::array<Point<3>, 3>> triangles() const;

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <lahar/geometry/graded_points.h>
+
 #include <vector>
 
 namespace Lahar
@@ -28,16 +30,26 @@ namespace Lahar
   bool is_self_intersecting(const Polygon &polygon);
 
   /**
-   * Divide a polyline into pieces of nearly equal length, at most 1.5 @p h long and h on average. All corners are kept;
-   * a @p closed line is joined to its first point, which is not repeated.
+   * Divide a polyline into pieces of nearly equal length, at most 1.5 @p h long and h on average; where h changes along
+   * the line, with nearly equal integrals ∫ ds/h. All corners are kept; a @p closed line is joined to its first point,
+   * which is not repeated.
    */
+  std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const SizeFunction<2> &h,
+                                        const bool closed);
+
+  /// The same with one h everywhere.
   std::vector<Point<2>> sample_polyline(const std::vector<Point<2>> &corners, const double h,
                                         const bool closed);
 
   /**
-   * Points in a polygon at the distance @p h: on the contour as sample_polyline() places them, inside on a lattice of
-   * equilateral triangles, smoothed towards the contour. The contour's points come first.
+   * Points in a polygon at the distance @p h: on the contour as sample_polyline() places them, inside on lattices of
+   * equilateral triangles of the sizes @p levels (append_graded_lattice()), smoothed towards the contour and from one
+   * lattice to the next. The contour's points come first.
    */
+  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
+                                     const std::vector<double> &levels);
+
+  /// The same with one h everywhere.
   std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h);
 } // namespace Lahar
 

@@ -15,7 +15,7 @@ namespace Lahar
     Box<2> box() const override;
     double signed_distance(const Point<2> &point) const override;
     double estimate_size(const double h) const override;
-    std::vector<Point<2>> fill(const double h) const override;
+    std::vector<Point<2>> fill(const MeshSize<2> &h) const override;
     std::vector<Point<2>> corners() const override;
 
   private:

@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/tria_description.h>
 
+#include <lahar/geometry/box.h>
 #include <lahar/utilities/parameters.h>
 
 #include <array>
@@ -26,6 +27,9 @@ namespace Lahar
 
     /// @throws InputError for a shape without volume, an unknown file or group, bad elements in the file.
     void parse_parameters(Parameters &prm);
+
+    /// The smallest box around the shape.
+    Box<dim> box() const;
 
     /// About how many nodes of finite elements of the given degree append() makes.
     double estimate_size(const double size, const unsigned int degree) const;

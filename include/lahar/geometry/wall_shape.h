@@ -2,6 +2,7 @@
 #define lahar_geometry_wall_shape_h
 
 #include <lahar/boundary/walls.h>
+#include <lahar/geometry/mesh_size.h>
 
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ namespace Lahar
 
     /// Particles at the distance @p h, among them the @p contacts: points of the wall where something touches it. Corners
     /// of facets that are smaller than 0.6 h carry none.
-    std::vector<Point<dim>> particles(const std::vector<Point<dim>> &contacts, const double h) const;
+    std::vector<Point<dim>> particles(const std::vector<Point<dim>> &contacts, const MeshSize<dim> &h) const;
 
     /// Points of the wall about 0.2 h apart (0.5 h in space), to see what it meets.
     std::vector<Point<dim>> samples(const double h) const;

@@ -2,13 +2,13 @@
 #define lahar_simulator_simulator_h
 
 #include <deal.II/base/function_parser.h>
-#include <deal.II/base/table_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <lahar/boundary/slip_condition.h>
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/walls.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/mesh_size.h>
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/postprocess/postprocessor.h>
@@ -23,10 +23,10 @@
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/time_integration.h>
 #include <lahar/solid/solids.h>
+#include <lahar/utilities/appended_file.h>
 #include <lahar/utilities/checkpoint_file.h>
 
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <memory>
 
@@ -91,12 +91,11 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints() const;
     void set_initial_velocities();
     void add_statistics(const double time_step, const NonlinearReport &report);
-    void write_statistics();
     Snapshot<dim> snapshot() const;
 
     void start_output();
     void advance_output_time();
-    void write_output();
+    void write_snapshot();
     bool checkpoint_is_due() const;
     void write_checkpoint();
     template <typename Archive>
@@ -109,6 +108,7 @@ namespace Lahar
 
     std::unique_ptr<FluidLaw> law;
     Tensor<1, dim> gravity;
+    MeshSize<dim> mesh_size;
     InitialGeometry<dim> geometry;
     std::string initial_velocity;
     TimeIntegration time_integration;
@@ -135,8 +135,8 @@ namespace Lahar
     std::vector<std::string> warnings;
     std::vector<Tensor<1, dim>> wall_forces, solid_forces;
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
-    TableHandler statistics;
-    std::ofstream convergence; ///< the increments of every iteration
+    AppendedFile statistics;
+    AppendedFile convergence; ///< the increments of every iteration
     std::unique_ptr<Visualization<dim>> visualization;
     std::unique_ptr<Progress> progress;
     double last_output_time = 0.; ///< when output was due last, s
@@ -144,7 +144,7 @@ namespace Lahar
     CheckpointFile checkpoint;
     bool resumed                     = false;
     double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
-    std::uintmax_t convergence_size = 0;                           ///< of the file at the checkpoint, bytes
+    std::uintmax_t statistics_size = 0, convergence_size = 0;      ///< of the files at the checkpoint, bytes
   };
 } // namespace Lahar
 

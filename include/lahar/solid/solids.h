@@ -1,6 +1,7 @@
 #ifndef lahar_solid_solids_h
 #define lahar_solid_solids_h
 
+#include <lahar/geometry/mesh_size.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/solid/solid_body.h>
 #include <lahar/solid/solid_mesh.h>
@@ -30,16 +31,17 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Make mesh and state at @p time (s). @param h the fluid's mesh size, m.
+     * Make mesh and state at @p time (s). @param mesh_size the fluid's; a box takes the smallest one in it.
      * @throws InputError if there would be too many nodes, if a part of the contour that is named holds nothing, if
      * elements do not fit together (a node of the contour on a face of another element), if solids touch.
      * @return warnings for the user: coarse contours, and solids on which nothing acts. @p is_loaded: there is fluid or
      * gravity.
      */
-    std::vector<std::string> create(const double h, const double time, const bool is_loaded);
+    std::vector<std::string> create(const MeshSize<dim> &mesh_size, const double time, const bool is_loaded);
 
-    /// Append the contour's particles to an empty cloud.
-    void append_particles(const double h, ParticleCloud<dim> &cloud) const;
+    /// Append the contour's particles to an empty cloud. Their spacing is the longest edge of the contour at them, or
+    /// the mesh size if that is larger.
+    void append_particles(const MeshSize<dim> &mesh_size, ParticleCloud<dim> &cloud) const;
 
     bool empty() const
     {

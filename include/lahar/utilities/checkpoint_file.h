@@ -13,7 +13,7 @@ namespace Lahar
   {
   public:
     /// Raised whenever the data mean something else.
-    static constexpr unsigned int format_version = 1;
+    static constexpr unsigned int format_version = 2;
 
     explicit CheckpointFile(const std::string &output_directory);
 

@@ -1,0 +1,33 @@
+#ifndef lahar_geometry_graded_points_h
+#define lahar_geometry_graded_points_h
+
+#include <lahar/geometry/point_set.h>
+
+#include <functional>
+#include <vector>
+
+namespace Lahar
+{
+  /// The wanted distance h of neighbouring points as a function of the place, m.
+  template <int dim>
+  using SizeFunction = std::function<double(const Point<dim> &)>;
+
+  /// Whether a point is wanted.
+  template <int dim>
+  using PointFilter = std::function<bool(const Point<dim> &)>;
+
+  /// The points of the lattice with the given distance of neighbours (m) that pass the filter.
+  template <int dim>
+  using Lattice = std::function<std::vector<Point<dim>>(const double, const PointFilter<dim> &)>;
+
+  /**
+   * Append to @p points what @p lattice has of each of the sizes @p levels, ascending, where h lies between this level
+   * and the next one, and nearer than 0.65 h to no other point: so a region where h is a level is filled with the
+   * undisturbed lattice. With one level its lattice is taken as it is.
+   */
+  template <int dim>
+  void append_graded_lattice(const SizeFunction<dim> &h, const std::vector<double> &levels,
+                             const Lattice<dim> &lattice, std::vector<Point<dim>> &points);
+} // namespace Lahar
+
+#endif
