@@ -131,6 +131,16 @@ namespace Lahar
 
 
   template <int dim>
+  bool AlphaShape<dim>::is_candidate(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) const
+  {
+    const auto corners = corners_of<dim>(simplex, cloud.position);
+    const double h     = mean_spacing<dim>(simplex, cloud);
+    return !is_excluded<dim>(simplex, corners, h, cloud) && extent<dim>(corners) < alpha_keep * h;
+  }
+
+
+
+  template <int dim>
   bool AlphaShape<dim>::accepts_plain(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                                       const Walls<dim> &walls) const
   {

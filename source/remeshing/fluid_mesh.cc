@@ -16,36 +16,12 @@ namespace Lahar
 
 
 
-  namespace
-  {
-    /// Permute every cell's corners evenly until the smallest comes first and, in 3D, the second smallest is next; then
-    /// sort the cells.
-    template <int dim>
-    void make_canonical(std::vector<Simplex<dim>> &cells)
-    {
-      for (Simplex<dim> &cell : cells)
-      {
-        const unsigned int first = std::min_element(cell.begin(), cell.end()) - cell.begin();
-        if (dim == 2)
-          std::rotate(cell.begin(), cell.begin() + first, cell.end());
-        else if (first != 0)
-        {
-          std::swap(cell[0], cell[first]);
-          std::swap(cell[1 + first % dim], cell[1 + (first + 1) % dim]);
-        }
-        if (dim == 3)
-          std::rotate(cell.begin() + 1, std::min_element(cell.begin() + 1, cell.end()), cell.end());
-      }
-      std::sort(cells.begin(), cells.end());
-    }
-  } // namespace
-
-
-
   template <int dim>
   bool FluidMesh<dim>::reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> new_cells)
   {
-    make_canonical<dim>(new_cells);
+    for (Simplex<dim> &cell : new_cells)
+      cell = canonical<dim>(cell);
+    std::sort(new_cells.begin(), new_cells.end());
     const bool changed = new_cells != cells_of_particles;
     if (changed)
     {

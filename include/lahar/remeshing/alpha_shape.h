@@ -48,6 +48,21 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
+    /**
+     * Whether a rule may accept the simplex, whatever the walls, the old domain and the velocities are. Without
+     * this, accepts_plain() and judge() say no.
+     */
+    bool is_candidate(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) const;
+
+    /**
+     * No edge of a candidate is longer than this times the largest spacing of its corners: its longest edge or, with
+     * it, 2 R is below 2 α_keep h.
+     */
+    double reach() const
+    {
+      return 2. * alpha_keep;
+    }
+
     /// The plain rule.
     bool accepts_plain(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                        const Walls<dim> &walls) const;
