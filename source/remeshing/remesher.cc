@@ -45,11 +45,17 @@ namespace Lahar
 
   namespace
   {
+    /// A program that has not initialised MPI, as tests may be, is alone.
+    bool is_alone(const MPI_Comm &communicator)
+    {
+      return !Utilities::MPI::job_supports_mpi() || Utilities::MPI::n_mpi_processes(communicator) == 1;
+    }
+
     /// What all ranks have, one rank's after the other's.
     template <typename T>
     std::vector<T> gather(const std::vector<T> &own, const MPI_Comm &communicator)
     {
-      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      if (is_alone(communicator))
         return own;
       std::vector<T> all;
       for (const std::vector<T> &part : Utilities::MPI::all_gather(communicator, own))
@@ -73,9 +79,9 @@ namespace Lahar
       if (cloud.kind[i] == ParticleKind::fluid)
         fluid.push_back(i);
     }
-    const unsigned int rank               = Utilities::MPI::this_mpi_process(communicator);
-    const std::vector<unsigned int> ranks = share_points(cloud.position, fluid,
-                                                         Utilities::MPI::n_mpi_processes(communicator));
+    const unsigned int n_ranks = is_alone(communicator) ? 1 : Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank    = n_ranks == 1 ? 0 : Utilities::MPI::this_mpi_process(communicator);
+    const std::vector<unsigned int> ranks = share_points(cloud.position, fluid, n_ranks);
     std::vector<bool> own(cloud.size(), false);
     for (const unsigned int i : fluid)
       own[i] = ranks[i] == rank;
