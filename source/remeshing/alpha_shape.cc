@@ -61,8 +61,8 @@ namespace Lahar
       double longest = 0.;
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
-          longest = std::max(longest, corners[a].distance(corners[b]));
-      return std::min(circumradius<dim>(corners), longest);
+          longest = std::max(longest, corners[a].distance_square(corners[b]));
+      return std::min(circumradius<dim>(corners), std::sqrt(longest));
     }
 
     /// The gap that the simplex bridges: between its fluid and its wall corners (the sum of the fluid's shape functions
@@ -131,6 +131,16 @@ namespace Lahar
 
 
   template <int dim>
+  bool AlphaShape<dim>::is_candidate(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) const
+  {
+    const auto corners = corners_of<dim>(simplex, cloud.position);
+    const double h     = mean_spacing<dim>(simplex, cloud);
+    return !is_excluded<dim>(simplex, corners, h, cloud) && extent<dim>(corners) < alpha_keep * h;
+  }
+
+
+
+  template <int dim>
   bool AlphaShape<dim>::accepts_plain(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                                       const Walls<dim> &walls) const
   {
@@ -157,15 +167,10 @@ namespace Lahar
                                                                   : Verdict::becomes_fluid;
     }
 
-    const double h = mean_spacing<dim>(simplex, cloud);
-    if (is_excluded<dim>(simplex, corners, h, cloud))
-      return Verdict::no_fluid;
-    const double size = extent<dim>(corners);
-    if (size >= alpha_keep * h)
-      return Verdict::no_fluid;
     if (old_domain.contains(simplex, centroid<dim>(corners)))
       return Verdict::stays_fluid;
 
+    const double h          = mean_spacing<dim>(simplex, cloud);
     const bool has_isolated = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] == ParticleKind::fluid && !old_domain.was_wet(particle);
     });
@@ -174,6 +179,7 @@ namespace Lahar
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });
+    const double size       = extent<dim>(corners);
     const double shrinking  = shrinkage<dim>(simplex, corners, cloud);
     if (!touches_wall &&
         (size >= alpha * h || (old_domain.joins(simplex) && circumradius<dim>(corners) >= hollow_radius * h)))

@@ -9,6 +9,7 @@
 
 #include <lahar/utilities/exceptions.h>
 
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -62,30 +63,91 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points)
+  struct DelaunayTriangulation<dim>::Implementation
+  {
+    typename CGALTypes<dim>::Triangulation triangulation;
+  };
+
+
+
+  template <int dim>
+  DelaunayTriangulation<dim>::DelaunayTriangulation(const std::vector<Point<dim>> &points)
+    : points(points)
+    , implementation(std::make_unique<Implementation>())
+  {}
+
+
+
+  template <int dim>
+  DelaunayTriangulation<dim>::~DelaunayTriangulation() = default;
+
+
+
+  template <int dim>
+  void DelaunayTriangulation<dim>::insert(const std::vector<unsigned int> &indices)
   {
     using Types = CGALTypes<dim>;
 
     std::vector<std::pair<typename Types::Triangulation::Point, unsigned int>> numbered;
-    numbered.reserve(points.size());
-    for (unsigned int i = 0; i < points.size(); ++i)
+    numbered.reserve(indices.size());
+    for (const unsigned int i : indices)
       numbered.emplace_back(Types::point(points[i]), i);
-
     // Range insertion sorts the points along a space-filling curve first.
-    typename Types::Triangulation triangulation;
-    triangulation.insert(numbered.begin(), numbered.end());
+    implementation->triangulation.insert(numbered.begin(), numbered.end());
+    inserted.insert(inserted.end(), indices.begin(), indices.end());
+  }
 
-    std::vector<Simplex<dim>> cells;
+
+
+  template <int dim>
+  std::vector<Simplex<dim>> DelaunayTriangulation<dim>::simplices() const
+  {
+    const auto &triangulation = implementation->triangulation;
+    std::vector<Simplex<dim>> result;
     if (triangulation.dimension() < dim)
-      return cells;
-    for (const auto &cell : Types::finite_cells(triangulation))
+      return result;
+    for (const auto &cell : CGALTypes<dim>::finite_cells(triangulation))
     {
       Simplex<dim> corners;
       for (unsigned int c = 0; c <= dim; ++c)
         corners[c] = cell->vertex(c)->info();
-      cells.push_back(corners);
+      result.push_back(corners);
     }
-    return cells;
+
+    if (triangulation.number_of_vertices() < inserted.size())
+    {
+      // Some points stand in the same place: replace each by the first one there.
+      const auto coordinates = [&](const unsigned int i) {
+        std::array<double, dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = points[i][d];
+        return x;
+      };
+      std::vector<unsigned int> order = inserted, first_there(points.size());
+      std::sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
+        return std::make_pair(coordinates(i), i) < std::make_pair(coordinates(j), j);
+      });
+      for (unsigned int k = 0; k < order.size(); ++k)
+        first_there[order[k]] = k > 0 && coordinates(order[k]) == coordinates(order[k - 1])
+                                  ? first_there[order[k - 1]]
+                                  : order[k];
+      for (Simplex<dim> &simplex : result)
+        for (unsigned int &corner : simplex)
+          corner = first_there[corner];
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points)
+  {
+    std::vector<unsigned int> all(points.size());
+    std::iota(all.begin(), all.end(), 0U);
+    DelaunayTriangulation<dim> triangulation(points);
+    triangulation.insert(all);
+    return triangulation.simplices();
   }
 
 
@@ -140,6 +202,8 @@ namespace Lahar
 
 
 
+  template class DelaunayTriangulation<2>;
+  template class DelaunayTriangulation<3>;
   template std::vector<Simplex<2>> delaunay(const std::vector<Point<2>> &);
   template std::vector<Simplex<3>> delaunay(const std::vector<Point<3>> &);
 } // namespace Lahar

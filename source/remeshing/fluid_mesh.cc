@@ -1,7 +1,6 @@
-#include <deal.II/grid/reference_cell.h>
-
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/utilities/sort_in_buckets.h>
 
 #include <algorithm>
 
@@ -16,36 +15,12 @@ namespace Lahar
 
 
 
-  namespace
-  {
-    /// Permute every cell's corners evenly until the smallest comes first and, in 3D, the second smallest is next; then
-    /// sort the cells.
-    template <int dim>
-    void make_canonical(std::vector<Simplex<dim>> &cells)
-    {
-      for (Simplex<dim> &cell : cells)
-      {
-        const unsigned int first = std::min_element(cell.begin(), cell.end()) - cell.begin();
-        if (dim == 2)
-          std::rotate(cell.begin(), cell.begin() + first, cell.end());
-        else if (first != 0)
-        {
-          std::swap(cell[0], cell[first]);
-          std::swap(cell[1 + first % dim], cell[1 + (first + 1) % dim]);
-        }
-        if (dim == 3)
-          std::rotate(cell.begin() + 1, std::min_element(cell.begin() + 1, cell.end()), cell.end());
-      }
-      std::sort(cells.begin(), cells.end());
-    }
-  } // namespace
-
-
-
   template <int dim>
   bool FluidMesh<dim>::reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> new_cells)
   {
-    make_canonical<dim>(new_cells);
+    for (Simplex<dim> &cell : new_cells)
+      cell = canonical<dim>(cell);
+    std::sort(new_cells.begin(), new_cells.end());
     const bool changed = new_cells != cells_of_particles;
     if (changed)
     {
@@ -67,11 +42,8 @@ namespace Lahar
       for (Simplex<dim> &cell : vertex_cells)
         for (unsigned int &corner : cell)
           corner = particle_to_vertex[corner];
-      make_triangulation(cloud);
     }
-    else
-      move(cloud);
-
+    move(cloud);
     find_boundary_faces(cloud);
     return changed;
   }
@@ -79,21 +51,20 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidMesh<dim>::make_triangulation(const ParticleCloud<dim> &cloud)
+  void FluidMesh<dim>::make_triangulation() const
   {
+    if (has_triangulation)
+      return;
+    has_triangulation = true;
     dofs.clear();
     tria.clear();
     if (vertex_cells.empty())
       return;
 
-    std::vector<Point<dim>> vertices;
-    vertices.reserve(n_vertices());
-    for (const unsigned int particle : vertex_to_particle)
-      vertices.push_back(cloud.position[particle]);
     std::vector<CellData<dim>> cell_data(n_cells(), CellData<dim>(dim + 1));
     for (unsigned int c = 0; c < n_cells(); ++c)
       std::copy(vertex_cells[c].begin(), vertex_cells[c].end(), cell_data[c].vertices.begin());
-    tria.create_triangulation(vertices, cell_data, SubCellData());
+    tria.create_triangulation(positions, cell_data, SubCellData());
 
     dofs.reinit(tria);
     dofs.distribute_dofs(fe);
@@ -103,6 +74,56 @@ namespace Lahar
         vertex_of_dof[cell->vertex_dof_index(v, 0)] = cell->vertex_index(v);
     dofs.renumber_dofs(vertex_of_dof);
   }
+
+
+
+  namespace
+  {
+    /// The corner opposite to each face, in the order of deal.II's reference cells.
+    template <int dim>
+    constexpr std::array<unsigned int, dim + 1> opposite_corners();
+
+    template <>
+    constexpr std::array<unsigned int, 3> opposite_corners<2>()
+    {
+      return {{2, 0, 1}};
+    }
+
+    template <>
+    constexpr std::array<unsigned int, 4> opposite_corners<3>()
+    {
+      return {{3, 2, 1, 0}};
+    }
+
+    /// Whether a face has one cell only, for the faces of the first cell, of the second one and so on.
+    template <int dim>
+    std::vector<bool> find_single_faces(const std::vector<Simplex<dim>> &cells, const unsigned int n_vertices)
+    {
+      // Sort the faces by their vertices; each comes once or twice.
+      using Face = std::pair<std::array<unsigned int, dim>, unsigned int>;
+      std::vector<Face> faces;
+      faces.reserve(cells.size() * (dim + 1));
+      for (const Simplex<dim> &cell : cells)
+        for (const unsigned int opposite : opposite_corners<dim>())
+        {
+          std::array<unsigned int, dim> vertices;
+          for (unsigned int c = 0, n = 0; c <= dim; ++c)
+            if (c != opposite)
+              vertices[n++] = cell[c];
+          std::sort(vertices.begin(), vertices.end());
+          faces.emplace_back(vertices, faces.size());
+        }
+      sort_in_buckets(faces, n_vertices, [](const Face &face) { return face.first[0]; });
+
+      std::vector<bool> is_single(faces.size(), false);
+      for (unsigned int i = 0; i < faces.size(); ++i)
+        if (i + 1 < faces.size() && faces[i].first == faces[i + 1].first)
+          ++i;
+        else
+          is_single[faces[i].second] = true;
+      return is_single;
+    }
+  } // namespace
 
 
 
@@ -126,24 +147,17 @@ namespace Lahar
     };
 
     faces.clear();
-    if (vertex_cells.empty())
-      return; // deal.II has no iterators for an empty triangulation
-    for (const auto &cell : tria.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (cell->at_boundary(f))
-        {
-          const unsigned int c  = cell->active_cell_index();
-          unsigned int opposite = 0, n_fluid = 0;
-          bool on_face[dim + 1] = {};
-          for (unsigned int v = 0; v < dim; ++v)
-            on_face[cell->reference_cell().face_to_cell_vertices(f, v, 1)] = true;
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (!on_face[v])
-              opposite = v;
-            else if (cloud.kind[cells_of_particles[c][v]] == ParticleKind::fluid)
-              ++n_fluid;
-          faces.push_back({c, opposite, n_fluid > 0 && !share_slip_facet(c, opposite)});
-        }
+    const std::vector<bool> is_single = find_single_faces<dim>(vertex_cells, n_vertices());
+    for (unsigned int number = 0; number < is_single.size(); ++number)
+      if (is_single[number])
+      {
+        const unsigned int c = number / (dim + 1), opposite = opposite_corners<dim>()[number % (dim + 1)];
+        bool has_fluid = false;
+        for (unsigned int v = 0; v <= dim; ++v)
+          has_fluid = has_fluid ||
+                      (v != opposite && cloud.kind[cells_of_particles[c][v]] == ParticleKind::fluid);
+        faces.push_back({c, opposite, has_fluid && !share_slip_facet(c, opposite)});
+      }
   }
 
 
@@ -151,11 +165,10 @@ namespace Lahar
   template <int dim>
   void FluidMesh<dim>::move(const ParticleCloud<dim> &cloud)
   {
-    if (vertex_cells.empty())
-      return;
-    for (const auto &cell : tria.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        cell->vertex(v) = cloud.position[cells_of_particles[cell->active_cell_index()][v]];
+    positions.clear();
+    for (const unsigned int particle : vertex_to_particle)
+      positions.push_back(cloud.position[particle]);
+    has_triangulation = false;
   }
 
 

@@ -1,4 +1,5 @@
 #include <lahar/remeshing/particle_spacing.h>
+#include <lahar/utilities/sort_in_buckets.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ namespace Lahar
 
     /// Every edge of the mesh once, as particle indices.
     template <int dim>
-    std::vector<Edge> edges_of(const FluidMesh<dim> &mesh)
+    std::vector<Edge> edges_of(const FluidMesh<dim> &mesh, const unsigned int n_particles)
     {
       std::vector<Edge> edges;
       edges.reserve(mesh.n_cells() * dim * (dim + 1) / 2);
@@ -37,7 +38,7 @@ namespace Lahar
         for (unsigned int a = 0; a <= dim; ++a)
           for (unsigned int b = a + 1; b <= dim; ++b)
             edges.emplace_back(std::min(cell[a], cell[b]), std::max(cell[a], cell[b]));
-      std::sort(edges.begin(), edges.end());
+      sort_in_buckets(edges, n_particles, [](const Edge &edge) { return edge.first; });
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       return edges;
     }
@@ -232,7 +233,7 @@ namespace Lahar
   void ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                    const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain) const
   {
-    const std::vector<Edge> edges    = edges_of<dim>(mesh);
+    const std::vector<Edge> edges    = edges_of<dim>(mesh, cloud.size());
     std::vector<bool> removed        = find_removals(cloud, walls, mesh, edges);
     const std::vector<Edge> inserted = find_insertions(cloud, edges, removed);
     if (inserted.empty() && std::find(removed.begin(), removed.end(), true) == removed.end())

@@ -1,3 +1,5 @@
+#include <lahar/remeshing/local_delaunay.h>
+#include <lahar/remeshing/point_tree.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/volume_correction.h>
 
@@ -5,6 +7,13 @@
 
 namespace Lahar
 {
+  template <int dim>
+  Remesher<dim>::Remesher(const MPI_Comm &communicator)
+    : communicator(communicator)
+  {}
+
+
+
   template <int dim>
   void Remesher<dim>::declare_parameters(Parameters &prm)
   {
@@ -36,18 +45,66 @@ namespace Lahar
 
   namespace
   {
-    template <int dim>
-    std::vector<Simplex<dim>> triangulate(const std::vector<Point<dim>> &points,
-                                          const std::vector<std::array<unsigned int, dim>> &solid_facets,
-                                          unsigned int &n_forced)
+    /// A program that has not initialised MPI, as tests may be, is alone.
+    bool is_alone(const MPI_Comm &communicator)
     {
-      n_forced = 0;
-      if constexpr (dim == 2)
-        if (!solid_facets.empty())
-          return constrained_delaunay(points, solid_facets, n_forced);
-      return delaunay<dim>(points);
+      return !Utilities::MPI::job_supports_mpi() || Utilities::MPI::n_mpi_processes(communicator) == 1;
+    }
+
+    /// What all ranks have, one rank's after the other's.
+    template <typename T>
+    std::vector<T> gather(const std::vector<T> &own, const MPI_Comm &communicator)
+    {
+      if (is_alone(communicator))
+        return own;
+      std::vector<T> all;
+      for (const std::vector<T> &part : Utilities::MPI::all_gather(communicator, own))
+        all.insert(all.end(), part.begin(), part.end());
+      return all;
     }
   } // namespace
+
+
+
+  template <int dim>
+  std::vector<Simplex<dim>> Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud,
+                                                          const std::vector<Facet> &solid_facets,
+                                                          unsigned int &n_forced) const
+  {
+    std::vector<unsigned int> fluid;
+    double largest_spacing = 0.;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
+      largest_spacing = std::max(largest_spacing, cloud.spacing[i]);
+      if (cloud.kind[i] == ParticleKind::fluid)
+        fluid.push_back(i);
+    }
+    const unsigned int n_ranks = is_alone(communicator) ? 1 : Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank    = n_ranks == 1 ? 0 : Utilities::MPI::this_mpi_process(communicator);
+    const std::vector<unsigned int> ranks = share_points(cloud.position, fluid, n_ranks);
+    std::vector<bool> own(cloud.size(), false);
+    for (const unsigned int i : fluid)
+      own[i] = ranks[i] == rank;
+    const auto is_own_candidate = [&](const Simplex<dim> &simplex) {
+      unsigned int first_fluid = numbers::invalid_unsigned_int;
+      for (const unsigned int i : simplex)
+        if (cloud.kind[i] == ParticleKind::fluid)
+          first_fluid = std::min(first_fluid, i);
+      return first_fluid < cloud.size() && own[first_fluid] && alpha_shape.is_candidate(simplex, cloud);
+    };
+
+    n_forced = 0;
+    if constexpr (dim == 2)
+      if (!solid_facets.empty())
+      {
+        std::vector<Simplex<2>> candidates;
+        for (const Simplex<2> &simplex : constrained_delaunay(cloud.position, solid_facets, n_forced))
+          if (is_own_candidate(canonical<2>(simplex)))
+            candidates.push_back(canonical<2>(simplex));
+        return candidates;
+      }
+    return local_delaunay<dim>(cloud.position, own, alpha_shape.reach() * largest_spacing, is_own_candidate);
+  }
 
 
 
@@ -58,12 +115,12 @@ namespace Lahar
   {
     unsigned int n_forced;
     std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &simplex : triangulate<dim>(cloud.position, solid_facets, n_forced))
+    for (const Simplex<dim> &simplex : own_candidates(cloud, solid_facets, n_forced))
       if (std::all_of(simplex.begin(), simplex.end(),
                       [&](const unsigned int particle) { return wet[particle]; }) &&
           alpha_shape.accepts_plain(simplex, cloud, walls))
         cells.push_back(simplex);
-    mesh.reinit(cloud, cells);
+    mesh.reinit(cloud, gather(cells, communicator));
   }
 
 
@@ -77,18 +134,20 @@ namespace Lahar
     OldDomain<dim> old_domain(cloud, mesh);
     particle_spacing.adapt(cloud, walls, mesh, old_domain);
 
-    std::vector<Simplex<dim>> cells;
-    std::vector<bool> arriving(cloud.size(), false);
-    for (const Simplex<dim> &simplex : triangulate<dim>(cloud.position, solid_facets, report.n_forced))
+    std::vector<Simplex<dim>> cells, new_cells;
+    for (const Simplex<dim> &simplex : own_candidates(cloud, solid_facets, report.n_forced))
     {
       const auto verdict = alpha_shape.judge(simplex, cloud, walls, old_domain, time_step);
       if (verdict != AlphaShape<dim>::Verdict::no_fluid)
         cells.push_back(simplex);
       if (verdict == AlphaShape<dim>::Verdict::becomes_fluid)
-        for (const unsigned int particle : simplex)
-          arriving[particle] = true;
+        new_cells.push_back(simplex);
     }
-    report.changed = mesh.reinit(cloud, cells);
+    std::vector<bool> arriving(cloud.size(), false);
+    for (const Simplex<dim> &simplex : gather(new_cells, communicator))
+      for (const unsigned int particle : simplex)
+        arriving[particle] = true;
+    report.changed = mesh.reinit(cloud, gather(cells, communicator));
     if (keep_volume && report.changed)
       VolumeCorrection<dim>::apply(old_domain, walls, mesh, cloud);
     for (const unsigned int particle : mesh.particles())

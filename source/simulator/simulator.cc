@@ -39,6 +39,7 @@ namespace Lahar
   Simulator<dim>::Simulator(Parameters &prm, const MPI_Comm &communicator)
     : communicator(communicator)
     , prm(prm)
+    , remesher(communicator)
     , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)

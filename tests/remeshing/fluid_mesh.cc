@@ -100,6 +100,24 @@ void test_mesh()
     return std::array<double, 2>{{area, free_area}};
   };
   check(name + "area of the boundary", count_faces()[0] - 2. * dim, 1e-12);
+
+  // Each boundary face by its cell and the sum of its vertices, which tells which corner is opposite.
+  std::vector<std::array<unsigned int, 2>> faces, expected_faces;
+  for (const BoundaryFace &face : mesh.boundary_faces())
+  {
+    faces.push_back({{face.cell, 0}});
+    for (unsigned int c = 0; c <= dim; ++c)
+      faces.back()[1] += (c != face.opposite) * mesh.cells()[face.cell][c];
+  }
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->at_boundary(f))
+      {
+        expected_faces.push_back({{cell->active_cell_index(), 0}});
+        for (unsigned int v = 0; v < dim; ++v)
+          expected_faces.back()[1] += cell->face(f)->vertex_index(v);
+      }
+  check(name + "boundary faces are deal.II's, in its order", faces == expected_faces);
   check(name + "area of the free surface: all but the floor", count_faces()[1] - (2. * dim - 1.), 1e-12);
   unsigned int n_on_surface = 0;
   for (const bool on_surface : mesh.on_free_surface(shifted.size()))

@@ -48,11 +48,27 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
+    /**
+     * Whether a rule may accept the simplex, whatever the walls, the old domain and the velocities are: it is none of
+     * those always dropped, and its size, as that counts inside the old domain, is below α_keep h.
+     */
+    bool is_candidate(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) const;
+
+    /**
+     * No edge of a candidate is longer than this times the largest spacing of its corners: its longest edge or, with
+     * it, 2 R is below 2 α_keep h.
+     */
+    double reach() const
+    {
+      return 2. * alpha_keep;
+    }
+
     /// The plain rule.
     bool accepts_plain(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                        const Walls<dim> &walls) const;
 
-    /// The rule chosen by the parameters. @p time_step (s) is the time that the velocities of the cloud will last.
+    /// The rule chosen by the parameters, for a candidate. @p time_step (s) is the time that the velocities of the
+    /// cloud will last.
     Verdict judge(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                   const OldDomain<dim> &old_domain, const double time_step) const;
 

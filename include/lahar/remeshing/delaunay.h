@@ -3,7 +3,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace Lahar
@@ -14,12 +16,55 @@ namespace Lahar
   template <int dim>
   using Simplex = std::array<unsigned int, dim + 1>;
 
+  /// The even permutation of a simplex's corners that has the smallest first and, in 3D, the second smallest next.
+  template <int dim>
+  inline Simplex<dim> canonical(Simplex<dim> simplex)
+  {
+    const unsigned int first = std::min_element(simplex.begin(), simplex.end()) - simplex.begin();
+    if (dim == 2)
+      std::rotate(simplex.begin(), simplex.begin() + first, simplex.end());
+    else if (first != 0)
+    {
+      std::swap(simplex[0], simplex[first]);
+      std::swap(simplex[1 + first % dim], simplex[1 + (first + 1) % dim]);
+    }
+    if (dim == 3)
+      std::rotate(simplex.begin() + 1, std::min_element(simplex.begin() + 1, simplex.end()), simplex.end());
+    return simplex;
+  }
+
   /**
-   * The Delaunay simplices of @p points (CGAL, exact predicates; 2D triangles, 3D tetrahedra).
+   * The Delaunay triangulation of a growing part of given points (CGAL, exact predicates; 2D triangles, 3D tetrahedra).
    *
-   * Of points in the same place only one gets simplices. Empty for fewer than dim+1 points and for points on one line
-   * (in one plane).
+   * It is unique: where more than dim+1 points lie on an empty sphere, CGAL lifts them off it by infinitesimal amounts
+   * that depend on the lexicographic order of their coordinates alone (Devillers & Teillaud 2003); of points in the
+   * same place only the one with the smallest index gets simplices. So the simplices depend neither on the order in
+   * which the points are inserted nor on points that do not lie in a simplex's circumsphere: what the triangulation of
+   * a part has, and no other point contradicts, the triangulation of all points has too, and the other way round.
    */
+  template <int dim>
+  class DelaunayTriangulation
+  {
+  public:
+    /// @p points must outlive this object.
+    explicit DelaunayTriangulation(const std::vector<Point<dim>> &points);
+    ~DelaunayTriangulation();
+
+    /// Insert more of the points, by index. Each may be inserted once.
+    void insert(const std::vector<unsigned int> &indices);
+
+    /// The simplices; none for fewer than dim+1 points and for points on one line (in one plane).
+    std::vector<Simplex<dim>> simplices() const;
+
+  private:
+    struct Implementation;
+
+    const std::vector<Point<dim>> &points;
+    std::vector<unsigned int> inserted;
+    std::unique_ptr<Implementation> implementation;
+  };
+
+  /// The Delaunay simplices of all @p points.
   template <int dim>
   std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points);
 

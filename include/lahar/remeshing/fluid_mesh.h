@@ -32,9 +32,10 @@ namespace Lahar
   /**
    * The fluid's mesh, made anew from the particles by each remeshing.
    *
-   * Its vertices are the particles that have a cell, in the order of the cloud: vertex v is particle(v). The same mesh
-   * exists as index arrays, which the assembly runs over, and as a deal.II simplex Triangulation with a P1 DoFHandler
-   * whose degree of freedom i belongs to vertex i, for output and everything that deal.II does on it.
+   * Its vertices are the particles that have a cell, in the order of the cloud: vertex v is particle(v). The mesh is
+   * index arrays, which the assembly runs over. For output and everything that deal.II does on meshes it is a simplex
+   * Triangulation with a P1 DoFHandler, too, whose degree of freedom i belongs to vertex i; as that takes longer than
+   * the rest of a remeshing, they are made when someone asks for them.
    */
   template <int dim>
   class FluidMesh
@@ -67,7 +68,7 @@ namespace Lahar
       archive &faces;
     }
 
-    /// Give the vertices of the deal.II triangulation the present positions of their particles.
+    /// Give the vertices the present positions of their particles.
     void move(const ParticleCloud<dim> &cloud);
 
     unsigned int n_vertices() const
@@ -115,13 +116,17 @@ namespace Lahar
     /// Volume (area in 2D) with the particles at their present positions.
     double volume(const ParticleCloud<dim> &cloud) const;
 
+    /// Valid until the next reinit() or move().
     const Triangulation<dim> &triangulation() const
     {
+      make_triangulation();
       return tria;
     }
 
+    /// Valid until the next reinit() or move().
     const DoFHandler<dim> &dof_handler() const
     {
+      make_triangulation();
       return dofs;
     }
 
@@ -131,17 +136,21 @@ namespace Lahar
     }
 
   private:
-    void make_triangulation(const ParticleCloud<dim> &cloud);
+    /// If it does not exist yet.
+    void make_triangulation() const;
+
     void find_boundary_faces(const ParticleCloud<dim> &cloud);
 
     FE_SimplexP<dim> fe;
     MappingFE<dim> map;
-    Triangulation<dim> tria;
-    DoFHandler<dim> dofs;
+    mutable Triangulation<dim> tria;
+    mutable DoFHandler<dim> dofs;
+    mutable bool has_triangulation = true;
 
     std::vector<Simplex<dim>> cells_of_particles;
     std::vector<Simplex<dim>> vertex_cells;
     std::vector<unsigned int> vertex_to_particle;
+    std::vector<Point<dim>> positions; ///< of the vertices
     std::vector<BoundaryFace> faces;
   };
 } // namespace Lahar

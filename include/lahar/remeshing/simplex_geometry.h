@@ -52,18 +52,28 @@ namespace Lahar
     return mean;
   }
 
+  /// The vector from corner 0 to the centre of the sphere through the corners; infinite for a simplex without volume.
+  template <int dim>
+  inline Tensor<1, dim> to_circumcentre(const SimplexCorners<dim> &x)
+  {
+    // The centre c satisfies 2 (x_i − x_0)·(c − x_0) = |x_i − x_0|².
+    const Tensor<2, dim> edges = edge_matrix<dim>(x);
+    Tensor<1, dim> right_hand_side;
+    if (std::abs(determinant(edges)) < std::numeric_limits<double>::min())
+    {
+      right_hand_side[0] = std::numeric_limits<double>::infinity();
+      return right_hand_side;
+    }
+    for (unsigned int c = 0; c < dim; ++c)
+      right_hand_side[c] = 0.5 * edges[c].norm_square();
+    return invert(edges) * right_hand_side;
+  }
+
   /// Radius of the sphere through the corners; infinite for a simplex without volume.
   template <int dim>
   inline double circumradius(const SimplexCorners<dim> &x)
   {
-    // The centre c satisfies 2 (x_i − x_0)·(c − x_0) = |x_i − x_0|².
-    const Tensor<2, dim> edges = edge_matrix<dim>(x);
-    if (std::abs(determinant(edges)) < std::numeric_limits<double>::min())
-      return std::numeric_limits<double>::infinity();
-    Tensor<1, dim> right_hand_side;
-    for (unsigned int c = 0; c < dim; ++c)
-      right_hand_side[c] = 0.5 * edges[c].norm_square();
-    return (invert(edges) * right_hand_side).norm();
+    return to_circumcentre<dim>(x).norm();
   }
 
   /// Gradients of the linear shape functions; the simplex must have volume.
