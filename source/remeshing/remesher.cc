@@ -4,6 +4,7 @@
 #include <lahar/remeshing/volume_correction.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Lahar
 {
@@ -51,15 +52,21 @@ namespace Lahar
       return !Utilities::MPI::job_supports_mpi() || Utilities::MPI::n_mpi_processes(communicator) == 1;
     }
 
-    /// What all ranks have, one rank's after the other's.
-    template <typename T>
-    std::vector<T> gather(const std::vector<T> &own, const MPI_Comm &communicator)
+    /// The simplices of all ranks, one rank's after the other's.
+    template <int dim>
+    std::vector<Simplex<dim>> gather(const std::vector<Simplex<dim>> &own, const MPI_Comm &communicator)
     {
       if (is_alone(communicator))
         return own;
-      std::vector<T> all;
-      for (const std::vector<T> &part : Utilities::MPI::all_gather(communicator, own))
-        all.insert(all.end(), part.begin(), part.end());
+      const int n_own = own.size() * (dim + 1);
+      std::vector<int> counts(Utilities::MPI::n_mpi_processes(communicator)), offsets(counts.size(), 0);
+      int ierr = MPI_Allgather(&n_own, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+      AssertThrowMPI(ierr);
+      std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
+      std::vector<Simplex<dim>> all((offsets.back() + counts.back()) / (dim + 1));
+      ierr = MPI_Allgatherv(own.data(), n_own, MPI_UNSIGNED, all.data(), counts.data(), offsets.data(),
+                            MPI_UNSIGNED, communicator);
+      AssertThrowMPI(ierr);
       return all;
     }
   } // namespace
@@ -120,7 +127,7 @@ namespace Lahar
                       [&](const unsigned int particle) { return wet[particle]; }) &&
           alpha_shape.accepts_plain(simplex, cloud, walls))
         cells.push_back(simplex);
-    mesh.reinit(cloud, gather(cells, communicator));
+    mesh.reinit(cloud, gather<dim>(cells, communicator));
   }
 
 
@@ -144,10 +151,10 @@ namespace Lahar
         new_cells.push_back(simplex);
     }
     std::vector<bool> arriving(cloud.size(), false);
-    for (const Simplex<dim> &simplex : gather(new_cells, communicator))
+    for (const Simplex<dim> &simplex : gather<dim>(new_cells, communicator))
       for (const unsigned int particle : simplex)
         arriving[particle] = true;
-    report.changed = mesh.reinit(cloud, gather(cells, communicator));
+    report.changed = mesh.reinit(cloud, gather<dim>(cells, communicator));
     if (keep_volume && report.changed)
       VolumeCorrection<dim>::apply(old_domain, walls, mesh, cloud);
     for (const unsigned int particle : mesh.particles())
