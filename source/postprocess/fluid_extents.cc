@@ -3,6 +3,8 @@
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,8 @@ namespace Lahar
 {
   /**
    * How far the fluid reaches in some directions e: largest or smallest x·e of the fluid particles in the mesh, or the
-   * difference of the two, m. Isolated particles do not count, nor, for an extent with a box, those outside it; nan
-   * where none is in the box.
+   * difference of the two, m. Isolated particles do not count, nor those of small parts of the fluid, nor, for an
+   * extent with a box, those outside it; nan where none is left.
    */
   template <int dim>
   class FluidExtents : public Postprocessor<dim>
@@ -32,6 +34,10 @@ namespace Lahar
                         "Boxes to which extents are limited, 'name: " + point + " : " + point +
                           "' by two opposite corners in m, separated by ';'. The name is that of an extent; "
                           "only particles in its box count.");
+      prm.declare_entry(
+        "Smallest part", "1", Patterns::Anything(),
+        "Parts of the fluid with fewer cells than this do not count, 1 to 1e9: a drop of a single "
+        "cell thrown ahead would be the front.");
     }
 
     void parse_parameters(Parameters &prm) override;
@@ -55,10 +61,14 @@ namespace Lahar
 
     static Box<dim> whole_space();
 
+    /// By vertex: whether it is a fluid particle of a part that is large enough.
+    std::vector<bool> counted(const Snapshot<dim> &snapshot) const;
+
     /// The direction that @p text names; zero if it names none.
     static Tensor<1, dim> direction_of(const std::string &text);
 
     std::vector<Extent> extents;
+    unsigned int smallest_part = 1; ///< number of cells
   };
 
 
@@ -126,6 +136,28 @@ namespace Lahar
         prm.throw_wrong_value("Boxes", "boxes with the names of 'Extents' (there is no '" + name + "')");
       extent->box = Box<dim>(corners[0], corners[1]);
     }
+    smallest_part = prm.get_count("Smallest part", 1, 1000000000);
+  }
+
+
+
+  template <int dim>
+  std::vector<bool> FluidExtents<dim>::counted(const Snapshot<dim> &snapshot) const
+  {
+    const unsigned int n_vertices = snapshot.mesh.n_vertices();
+    boost::disjoint_sets_with_storage<> parts(n_vertices);
+    for (const Simplex<dim> &cell : snapshot.mesh.cells())
+      for (unsigned int I = 1; I <= dim; ++I)
+        parts.union_set(cell[0], cell[I]);
+    std::vector<unsigned int> size(n_vertices, 0);
+    for (const Simplex<dim> &cell : snapshot.mesh.cells())
+      ++size[parts.find_set(cell[0])];
+
+    std::vector<bool> result(n_vertices);
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      result[v] = size[parts.find_set(v)] >= smallest_part &&
+                  snapshot.cloud.kind[snapshot.mesh.particle(v)] == ParticleKind::fluid;
+    return result;
   }
 
 
@@ -133,13 +165,14 @@ namespace Lahar
   template <int dim>
   void FluidExtents<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
+    const std::vector<bool> counts = counted(snapshot);
     for (const Extent &extent : extents)
     {
       double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
-      for (const unsigned int particle : snapshot.mesh.particles())
+      for (unsigned int v = 0; v < counts.size(); ++v)
       {
-        const Point<dim> &position = snapshot.cloud.position[particle];
-        if (snapshot.cloud.kind[particle] != ParticleKind::fluid || !extent.box.contains(position, 0.))
+        const Point<dim> &position = snapshot.cloud.position[snapshot.mesh.particle(v)];
+        if (!counts[v] || !extent.box.contains(position, 0.))
           continue;
         const double x = extent.direction * position;
         lower          = std::fmin(lower, x);

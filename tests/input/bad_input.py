@@ -118,6 +118,7 @@ def test_refused():
 
     wrong("Postprocess/Fluid extents/Boxes", "tip: 0, 0 : 1, 1", "Extents", "tip")
     wrong("Postprocess/Fluid extents/Boxes", "front: 0, 0", "x, y : x, y")
+    wrong("Postprocess/Fluid extents/Smallest part", "0", "1 to 1000000000")
     for entry, value in [("Dimension", "4"), ("Dimension", "two"), ("Remeshing/Keep volume", "yes"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
                          ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
                          ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),
@@ -362,6 +363,16 @@ def test_computed():
               result.stderr)
         check("a run that diverges: no frame", not [frame for frame in FRAMES if frame in result.stderr], result.stderr)
         columns, rows = check_output("a run that diverges", out)
+
+    # A drop falls beside the column. It has some ten cells, the column more than fifty.
+    for smallest, front in [("1", 0.56), ("40", 0.146)]:
+        with tempfile.TemporaryDirectory() as directory:
+            result = run(directory, "case.prm", *set_entry("End time", "1e-3"),
+                         *set_entry("Geometry/Fluid boxes", "0, 0 : 0.146, 0.292; 0.5, 0.2 : 0.56, 0.26"),
+                         *set_entry("Postprocess/Fluid extents/Smallest part", smallest))
+            columns, rows = read_statistics(os.path.join(directory, "out", "statistics"))
+            found = rows[-1][columns.index("front (m)")]
+            check("the front of parts of %s cells at least" % smallest, abs(found - front) < 1e-4, found, result.stderr)
 
     with tempfile.TemporaryDirectory() as directory:
         out = os.path.join(directory, "out")
