@@ -17,6 +17,10 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from program_test import check, failed  # noqa: E402
+
 LAHAR, MESH, MESH_IN_SPACE = [os.path.abspath(path) for path in sys.argv[2:5]]
 
 GOOD = """
@@ -38,18 +42,6 @@ COLUMNS = ["Time step number", "Time (s)", "Time step size (s)", "Nonlinear iter
 
 FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Aborting", "exception", "Exception",
           "std::", "Lahar::", "dealii::", "Backtrace", "Segmentation", "parameter_handler.cc"]
-
-n_failed = 0
-
-
-def check(what, condition, *details):
-    global n_failed
-    print(("ok: " if condition else "FAILED: ") + what)
-    if not condition:
-        n_failed += 1
-        for detail in details:
-            print("    " + str(detail).replace("\n", "\n    "))
-
 
 def run(directory, *arguments, text=GOOD):
     if text is not None:
@@ -385,5 +377,5 @@ def test_computed():
 
 
 {"refused": test_refused, "printed": test_printed, "computed": test_computed}[sys.argv[1]]()
-print("%d failed" % n_failed)
-sys.exit(n_failed > 0)
+print("%d failed" % len(failed))
+sys.exit(1 if failed else 0)

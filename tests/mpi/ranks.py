@@ -16,6 +16,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from program_test import barrier, check, failed, new_case  # noqa: E402
+
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
 
 COLUMN = """
@@ -49,20 +53,7 @@ subsection Linear solver
 end
 """
 
-BARRIER = COLUMN + """
-subsection Solids
-  set Number of solids = 1
-  subsection Solid 1
-    set Box     = 0.16, 0 : 0.172, 0.08
-    set Clamped = 0.16, 0 : 0.172, 0
-    subsection hypoelastic
-      set Density         = 2500
-      set Young's modulus = 1e6
-      set Poisson's ratio = 0
-    end
-  end
-end
-"""
+BARRIER = COLUMN + barrier(0.16, 0.172)
 
 SPACE = """
 set Dimension        = 3
@@ -82,18 +73,6 @@ CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "space": SPACE + 
 CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",
                "Linear iterations", "Nonlinear iterations", "Wall time (s)")
 
-n_failed = 0
-
-
-def check(what, condition, *details):
-    global n_failed
-    print(("ok: " if condition else "FAILED: ") + what, flush=True)
-    if not condition:
-        n_failed += 1
-        for detail in details:
-            print("    " + str(detail).replace("\n", "\n    "))
-
-
 def run(directory, n_ranks, *arguments, program=None):
     """Run case.prm, by hand-made mpiexec arguments if there is a program."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -102,14 +81,6 @@ def run(directory, n_ranks, *arguments, program=None):
     program = program or [LAHAR, *arguments, "case.prm"]
     return subprocess.run([MPIEXEC, "-np", str(n_ranks), *program], cwd=directory, env=environment,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=400)
-
-
-def new_case(parent, name, text):
-    directory = os.path.join(parent, name)
-    os.mkdir(directory)
-    with open(os.path.join(directory, "case.prm"), "w") as file:
-        file.write(text)
-    return directory
 
 
 def read_statistics(directory):
@@ -182,4 +153,4 @@ if sys.argv[1] in CASES:
     same_on_all(sys.argv[1])
 else:
     {"resume": resume, "faults": faults}[sys.argv[1]]()
-sys.exit(1 if n_failed else 0)
+sys.exit(1 if failed else 0)

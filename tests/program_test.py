@@ -1,0 +1,40 @@
+"""What the tests that run the program `lahar` from outside share."""
+import os
+
+failed = []
+
+
+def check(what, condition, *details):
+    """Print whether the condition holds, and the details if not; failed keeps what does not."""
+    print(("ok: " if condition else "FAILED: ") + what, flush=True)
+    if not condition:
+        failed.append(what)
+        for detail in details:
+            print("    " + str(detail).replace("\n", "\n    "))
+
+
+def new_case(parent, name, text):
+    """A new directory with the parameter file case.prm."""
+    directory = os.path.join(parent, name)
+    os.mkdir(directory)
+    with open(os.path.join(directory, "case.prm"), "w") as file:
+        file.write(text)
+    return directory
+
+
+def barrier(left, right):
+    """Parameters of an elastic barrier, 8 cm high and clamped below."""
+    return f"""
+subsection Solids
+  set Number of solids = 1
+  subsection Solid 1
+    set Box     = {left}, 0 : {right}, 0.08
+    set Clamped = {left}, 0 : {right}, 0
+    subsection hypoelastic
+      set Density         = 2500
+      set Young's modulus = 1e6
+      set Poisson's ratio = 0
+    end
+  end
+end
+"""
