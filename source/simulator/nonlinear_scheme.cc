@@ -196,7 +196,6 @@ namespace Lahar
     report.momentum_residual = problem.momentum_residual_norm();
     report.linear_iterations += problem.solve_block(0);
     problem.take_step(1.);
-    problem.hold_blocked_vertices();
     report.velocity_increment = problem.velocity_increment();
 
     linearization.viscosity        = ViscosityLinearization::picard;
