@@ -34,8 +34,6 @@ def runs(make_run):
             + [make(tau0, 0.004, 2) for tau0 in (25, 50)]
             + [make(tau0, 0.002, 2) for tau0 in (100, 50, 25)] + [make(100, 0.002, 1)])
 
-
-
 # ------------------------------------------------------------------------------------------------------- reading
 
 
@@ -173,6 +171,16 @@ def draw_family(all_results, labels, path):
     plt.close(figure)
 
 
+def draw_beside_rigid(results, path, draw_snapshots):
+    """A5: yielded fluid, with the elastic barrier and with the rigid one."""
+    rigid = results.directory.parents[1] / "dam_break_rigid" / f"tau{results.run.tau0}-h{results.run.h:g}"
+    if not (rigid / "solution.pvd").exists():
+        print(f"Left out: {path.name} (no run {rigid})")
+        return
+    draw_snapshots(results, path, "--labels", "elastic", "rigid", "--field", "yielded", "--times", "0.1", "0.2", "0.3",
+                   "0.4", "0.5", "--limits", "-0.02", "0.82", "-0.02", "0.4", beside=[rigid])
+
+
 def report(all_results, doc, draw_snapshots):
     usable, missing = divide(all_results, CASE)
     if not usable:
@@ -199,6 +207,7 @@ def report(all_results, doc, draw_snapshots):
         draw_iterations(finest[0], figures / f"{CASE}_iterations.png")
         draw_snapshots(finest[0], figures / f"{CASE}_snapshots.png", "--times", "0.1", "0.2", "0.3", "0.4", "0.5", "0",
                        "--columns", "2", "--limits", "-0.02", "0.82", "-0.02", "0.4")
+        draw_beside_rigid(finest[0], figures / f"{CASE}_yielded.png", draw_snapshots)
     regularized = [("tau100-h0.004-p2-m0.1", 0.1), ("tau100-h0.004-p2-m1", 1), ("tau100-h0.004-p2-m100", 100),
                    ("tau100-h0.004-p2", 1000)]
     regularized = [(by_name[name], f"m = {m:g} s") for name, m in regularized if name in by_name]

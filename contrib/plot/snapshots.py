@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Draw snapshots of a Lahar run: one field in colour, unyielded fluid shaded, walls dark.
+"""Draw snapshots of Lahar runs: one field in colour, unyielded fluid shaded, walls dark.
 
     snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed
+    snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
-The walls come from the run's parameters.prm, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
+Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run's parameters.prm, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
 starts is a solid body.
 """
 
@@ -22,7 +23,7 @@ from lahar_output import (OutputError, nearest_snapshots, parse_walls, read_pvd,
 
 LABELS = {
     "speed": "speed (m/s)", "velocity": "speed (m/s)", "pressure": "pressure (Pa)", "strain_rate": "strain rate (1/s)",
-    "effective_viscosity": "effective viscosity (Pa s)", "yielded": "yielded",
+    "effective_viscosity": "effective viscosity (Pa s)",
 }
 BY_CELL = ("strain_rate", "effective_viscosity", "yielded")
 N_DEFAULT_PANELS = 4
@@ -30,10 +31,11 @@ N_DEFAULT_PANELS = 4
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directory", type=pathlib.Path, metavar="OUTPUT_DIR", help="output directory of a run")
+    parser.add_argument("directories", type=pathlib.Path, metavar="OUTPUT_DIR", nargs="+", help="output directory of a run")
     parser.add_argument("-o", "--output", required=True, help="the picture (.png, .pdf, .svg)")
     parser.add_argument("--times", type=float, nargs="+", metavar="T",
                         help=f"times in s; the nearest snapshots are drawn (default: {N_DEFAULT_PANELS} over the run)")
+    parser.add_argument("--labels", nargs="+", metavar="TEXT", help="what the runs are called")
     parser.add_argument("--field", default="speed", help="speed, or a field of the VTU files (default: %(default)s)")
     parser.add_argument("--log", action="store_true", help="logarithmic colours")
     parser.add_argument("--walls", help="draw these walls instead of those in parameters.prm")
@@ -161,6 +163,13 @@ def draw_outline(axes, mesh):
     axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5, capstyle="round"))
 
 
+def draw_yielded(axes, mesh):
+    """Yielded fluid black, the rest grey."""
+    yielded = mesh.at_cells("yielded") > 0.5
+    for chosen, color in ((~yielded, "0.8"), (yielded, "black")):
+        axes.add_patch(PathPatch(union(mesh.points[mesh.triangles[chosen]]), facecolor=color, linewidth=0, rasterized=True))
+
+
 def draw_solids(axes, mesh):
     axes.add_patch(PathPatch(union(mesh.points[mesh.triangles]), facecolor="#D55E00", linewidth=0, zorder=3))
     draw_outline(axes, mesh)
@@ -203,38 +212,69 @@ def label_axes(axes, n_panels):
         panel.set_ylabel("$y$ (m)")
 
 
-def draw(arguments):
-    snapshots = choose_snapshots(arguments.directory, arguments.times)
-    walls = parse_walls(arguments.walls) if arguments.walls else read_walls(arguments.directory / "parameters.prm")
-    meshes = [read_vtu(path) for _, path in snapshots]
-    solids = {time: read_vtu(path) for time, path in read_pvd(arguments.directory / "solution.pvd", 1)}
-    all_values = [field_values(mesh, arguments.field) for mesh in meshes]
-    norm = color_scale(all_values, arguments.field, arguments.log)
-    limits = view(meshes, walls, arguments.limits)
+class Snapshots:
+    """The chosen snapshots of one run."""
 
-    figure, axes = make_axes(len(meshes), limits, arguments.columns)
+    def __init__(self, directory, arguments):
+        chosen = choose_snapshots(directory, arguments.times)
+        self.times = [time for time, _ in chosen]
+        self.meshes = [read_vtu(path) for _, path in chosen]
+        self.walls = parse_walls(arguments.walls) if arguments.walls else read_walls(directory / "parameters.prm")
+        solids = {time: path for time, path in read_pvd(directory / "solution.pvd", 1)}
+        self.solids = [read_vtu(solids[time]) if time in solids else None for time in self.times]
+
+
+def draw(arguments):
+    runs = [Snapshots(directory, arguments) for directory in arguments.directories]
+    labels = arguments.labels or [directory.name for directory in arguments.directories]
+    if len({len(run.times) for run in runs}) > 1:
+        raise OutputError("the runs do not have the same number of snapshots at these times")
+    meshes = [mesh for run in runs for mesh in run.meshes]
+    limits = view(meshes, [wall for run in runs for wall in run.walls], arguments.limits)
+    # Row by row: one row holds all runs at one time.
+    panels = [(run, label, i) for i in range(len(runs[0].times)) for run, label in zip(runs, labels)]
+    figure, axes = make_axes(len(panels), limits, len(runs) if len(runs) > 1 else arguments.columns)
+
+    is_yielded = arguments.field == "yielded"
+    if not is_yielded:
+        all_values = [field_values(mesh, arguments.field) for mesh in meshes]
+        norm = color_scale(all_values, arguments.field, arguments.log)
     has_unyielded = False
-    for panel, (time, _), mesh, values in zip(axes.flat, snapshots, meshes, all_values):
-        image = draw_field(panel, mesh, values, norm)
-        has_unyielded |= draw_unyielded(panel, mesh)
+    for panel, (run, label, i) in zip(axes.flat, panels):
+        mesh = run.meshes[i]
+        if is_yielded:
+            draw_yielded(panel, mesh)
+        else:
+            image = draw_field(panel, mesh, field_values(mesh, arguments.field), norm)
+            has_unyielded |= draw_unyielded(panel, mesh)
         draw_outline(panel, mesh)
-        if time in solids:
-            draw_solids(panel, solids[time])
-        draw_walls(panel, walls)
-        panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:], title=f"$t$ = {time:.4g} s")
-    label_axes(axes, len(meshes))
-    figure.colorbar(image, ax=axes, label=LABELS.get(arguments.field, arguments.field), extend=extension(norm, all_values),
-                    fraction=0.03, pad=0.015, aspect=25)
+        if run.solids[i]:
+            draw_solids(panel, run.solids[i])
+        draw_walls(panel, run.walls)
+        panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:],
+                  title=(f"{label}, " if len(runs) > 1 else "") + f"$t$ = {run.times[i]:.4g} s")
+    label_axes(axes, len(panels))
+    if is_yielded:
+        add_legend(axes[0, 0], ("black", "yielded"), ("0.8", "unyielded"))
+    else:
+        figure.colorbar(image, ax=axes, label=LABELS.get(arguments.field, arguments.field),
+                        extend=extension(norm, all_values), fraction=0.03, pad=0.015, aspect=25)
     if has_unyielded:
-        axes[0, 0].legend(handles=[Patch(facecolor="0.85", edgecolor="0.5", linewidth=0.7, label="unyielded (paler)")],
-                          loc="upper right")
+        add_legend(axes[0, 0], ("0.85", "unyielded (paler)"))
     return figure
+
+
+def add_legend(axes, *entries):
+    axes.legend(handles=[Patch(facecolor=color, edgecolor="0.5", linewidth=0.7, label=label) for color, label in entries],
+                loc="upper right")
 
 
 def main():
     arguments = parse_arguments()
     if arguments.columns is not None and arguments.columns < 1:
         raise OutputError("--columns must be 1 or more")
+    if arguments.labels and len(arguments.labels) != len(arguments.directories):
+        raise OutputError("--labels needs one text for each run")
     use_style()
     save(draw(arguments), arguments.output)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""V8, V9 and V2 of elastic solids: cantilevers, vibrations, free flight, a wall under hydrostatic load, a floating block."""
+"""V8, V9 and V2 of elastic solids, V8 in space too: cantilevers, vibrations, free flight, a wall under hydrostatic load, a floating block."""
 
 import numpy as np
 
@@ -50,6 +50,20 @@ def test_cantilever(check):
         check.near(f"{law}, shortening", -tip["tip x (m)"][-1], ELASTICA[1], 0.01)
 
 
+def test_cantilever_in_space(check):
+    """A square rod: with nu = 0 it bends as the plane beam under the same traction."""
+    for law in ("hypoelastic", "neo-Hookean"):
+        tip = read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}", "Dimension=3",
+                                 "Gravity=0, 0, 0", "Solids/Solid 1/Box=0, 0, 0 : 1, 0.02, 0.02",
+                                 "Solids/Solid 1/Elements=30, 1, 1", "Solids/Solid 1/Clamped=0, 0, 0 : 0, 0.02, 0.02",
+                                 "Solids/Solid 1/Loaded=1, 0, 0 : 1, 0.02, 0.02",
+                                 "Solids/Solid 1/Traction=0; 0; 100*min(1, t/1e5)",
+                                 "Postprocess/Solid points/Points=tip: 1, 0.01, 0.01"))
+        check.near(f"{law} in space, large deflection", tip["tip z (m)"][-1], ELASTICA[0], 0.01)
+        check.near(f"{law} in space, shortening", -tip["tip x (m)"][-1], ELASTICA[1], 0.01)
+        check.below(f"{law} in space, deflection sideways (m)", abs(tip["tip y (m)"][-1]), 1e-3)
+
+
 def test_pressure(check):
     exact = beam_deflection(1., HEIGHT, THICKNESS, YOUNG)
 
@@ -66,6 +80,13 @@ def test_pressure(check):
     check.below("linear elements, order of convergence", abs(order - 2.), 0.35, f"{order:.2f}, difference from 2: ")
 
 
+def mode(coordinate):
+    """The velocity of the first mode, as in the .prm file."""
+    k = 23.4388
+    return (f"0.02*((cosh({k}*{coordinate}) - cos({k}*{coordinate}))/2"
+            f" - 0.734096*(sinh({k}*{coordinate}) - sin({k}*{coordinate}))/2)")
+
+
 def test_vibration(check):
     run = read_run(check.run("elastic_solids/barrier_vibration.prm"))
     timoshenko, bernoulli = timoshenko_frequency(YOUNG, DENSITY, HEIGHT, THICKNESS)
@@ -74,6 +95,16 @@ def test_vibration(check):
     check.near("first frequency of the barrier", frequency, timoshenko, 0.01)
     energy = run["Solid kinetic energy (J)"] + run["Solid elastic energy (J)"]
     check.below("energy over ten periods", np.ptp(energy) / energy[0], 1e-3)
+
+    # A square prism in space. Its mode is that of the plane; its diagonals are not symmetric, so it swings in y a little.
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Dimension=3", "Gravity=0, 0, 0",
+                             "Solids/Solid 1/Box=0, 0, 0 : 0.012, 0.012, 0.08", "Solids/Solid 1/Elements=1, 1, 7",
+                             "Solids/Solid 1/Clamped=0, 0, 0 : 0.012, 0.012, 0",
+                             "Solids/Solid 1/Initial velocity=" + mode("z") + "; 0; 0",
+                             "Postprocess/Solid points/Points=tip: 0.006, 0.006, 0.08"))
+    check.near("first frequency of a prism in space", measured_frequency(run["Time (s)"], run["tip x (m)"]), timoshenko, 0.01)
+    energy = run["Solid kinetic energy (J)"] + run["Solid elastic energy (J)"]
+    check.below("its energy over ten periods", np.ptp(energy) / energy[0], 1e-3)
 
     # A slender one, to which the theory without shear applies.
     run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/Solid 1/Box=0, 0 : 0.003, 0.08",
@@ -141,7 +172,7 @@ def test_floating_block(check):
 
 def main():
     check = Check(__doc__)
-    for test in (test_cantilever, test_pressure, test_vibration, test_driven_foot, test_flight, test_hydrostatic_wall,
+    for test in (test_cantilever, test_cantilever_in_space, test_pressure, test_vibration, test_driven_foot, test_flight, test_hydrostatic_wall,
                  test_floating_block):
         test(check)
     check.finish()
