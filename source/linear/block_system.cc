@@ -40,6 +40,8 @@ namespace Lahar
     n_pressures                      = n_fluid_nodes;
     const unsigned int n_nodes       = n_fluid_nodes + n_solid_nodes,
                        n_solid_cells = solid_cells.empty() ? 0 : solid_cells.size() / nodes_per_solid_cell;
+    Assert(positions.size() == n_nodes || (positions.empty() && n_solid_cells == 0),
+           ExcDimensionMismatch(positions.size(), n_nodes));
     ++n_reinits;
 
     const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
@@ -50,6 +52,9 @@ namespace Lahar
                           n_ranks > 1 && !positions.empty() ? share_nodes(positions, lists, n_ranks)
                                                             : std::vector<unsigned int>(),
                           lists);
+    own_positions.clear();
+    for (unsigned int l = 0; l < (positions.empty() ? 0 : node_partition.n_own()); ++l)
+      own_positions.push_back(positions[node_partition.nodes()[l]]);
 
     const std::vector<unsigned int> flat_cells = node_partition.local_cells(0, lists[0]);
     local_cells.resize(flat_cells.size() / n_corners);

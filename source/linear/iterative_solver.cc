@@ -1,3 +1,4 @@
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Epetra_MultiVector.h>
@@ -13,6 +14,42 @@ namespace Lahar
   {
     /// An approximate inverse with which GMRES takes more than this times the iterations of a fresh one is made anew.
     constexpr double largest_growth = 1.5;
+
+
+
+    /// Translations and rotations about the mean of all ranks' nodes, by mode, own node and component; of size one.
+    template <int dim>
+    std::vector<double> rigid_body_modes(const std::vector<Point<dim>> &positions,
+                                         const MPI_Comm &communicator)
+    {
+      const unsigned int n_rows = dim * positions.size(), n_modes = dim * (dim + 1) / 2;
+      Tensor<1, dim> mean;
+      for (const Point<dim> &x : positions)
+        mean += x;
+      mean = Utilities::MPI::sum(mean, communicator) /
+             Utilities::MPI::sum<double>(positions.size(), communicator);
+      double size = 0.;
+      for (const Point<dim> &x : positions)
+        size = std::max(size, (x - mean).norm());
+      size = Utilities::MPI::max(size, communicator);
+
+      std::vector<double> modes(n_modes * n_rows, 0.);
+      for (unsigned int v = 0; v < positions.size(); ++v)
+      {
+        const Tensor<1, dim> x = (positions[v] - mean) / size;
+        unsigned int rotation  = dim;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          modes[d * n_rows + v * dim + d] = 1.;
+          for (unsigned int e = d + 1; e < dim; ++e, ++rotation)
+          {
+            modes[rotation * n_rows + v * dim + d] = -x[e];
+            modes[rotation * n_rows + v * dim + e] = x[d];
+          }
+        }
+      }
+      return modes;
+    }
   } // namespace
 
 
@@ -50,7 +87,8 @@ namespace Lahar
 
   template <int dim>
   typename IterativeSolver<dim>::Preconditioner
-  IterativeSolver<dim>::make_preconditioner(const Matrix &matrix, const unsigned int n_components) const
+  IterativeSolver<dim>::make_preconditioner(const Matrix &matrix, const unsigned int n_components,
+                                            const BlockSystem<dim> &system) const
   {
     if (multigrid)
     {
@@ -62,6 +100,14 @@ namespace Lahar
       Teuchos::ParameterList list;
       std::unique_ptr<Epetra_MultiVector> modes;
       data.set_parameters(list, modes, matrix);
+      list.set("PDE equations", static_cast<int>(n_components)); // aggregates are made of nodes
+      std::vector<double> rigid_modes;
+      if (n_components == dim && system.has_solids())
+      {
+        rigid_modes = rigid_body_modes(system.positions(), system.partition().communicator());
+        list.set("null space: dimension", dim * (dim + 1) / 2);
+        list.set("null space: vectors", rigid_modes.data());
+      }
       list.set("coarse: max size", 300); // larger ones cost more to factorise than a level more
       preconditioner->initialize(matrix, list);
       return preconditioner;
@@ -80,8 +126,8 @@ namespace Lahar
     inverse = std::make_unique<ApproximateInverse>();
     inverse->K.copy_from(system.matrix().block(0, 0));
     inverse->S.reinit(*make_schur_complement(system), true);
-    inverse->inverse_K = make_preconditioner(inverse->K, dim);
-    inverse->inverse_S = make_preconditioner(inverse->S, 1);
+    inverse->inverse_K = make_preconditioner(inverse->K, dim, system);
+    inverse->inverse_S = make_preconditioner(inverse->S, 1, system);
     inverse->pattern   = system.pattern_number();
   }
 
@@ -127,7 +173,7 @@ namespace Lahar
     if (b == 1)
       schur.reinit(*make_schur_complement(system), true);
     const Matrix &matrix                = b == 1 ? schur : system.matrix().block(0, 0);
-    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim);
+    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim, system);
 
     using BlockVector  = TrilinosWrappers::MPI::Vector;
     const auto &rhs    = system.right_hand_side().block(b);

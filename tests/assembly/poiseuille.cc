@@ -78,8 +78,7 @@ struct Film
             }
             orient(cell);
             cells.push_back(cell);
-          }
-          while (std::next_permutation(axes.begin(), axes.end()));
+          } while (std::next_permutation(axes.begin(), axes.end()));
         }
   }
 
@@ -91,7 +90,8 @@ struct Film
   /// Number of the point at the given place of the lattice.
   unsigned int number(const std::array<unsigned int, 3> &place) const
   {
-    return (place[dim - 1] * (dim == 3 ? n_wide + 1 : 1) + (dim == 3 ? place[1] : 0)) * (n_wide + 1) + place[0];
+    return (place[dim - 1] * (dim == 3 ? n_wide + 1 : 1) + (dim == 3 ? place[1] : 0)) * (n_wide + 1) +
+           place[0];
   }
 
   void orient(Simplex<dim> &cell) const

@@ -52,17 +52,22 @@ def test_cantilever(check):
 
 def test_cantilever_in_space(check):
     """A square rod: with nu = 0 it bends as the plane beam under the same traction."""
-    for law in ("hypoelastic", "neo-Hookean"):
-        tip = read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}", "Dimension=3",
-                                 "Linear solver/Type=direct",
-                                 "Gravity=0, 0, 0", "Solids/Solid 1/Box=0, 0, 0 : 1, 0.02, 0.02",
-                                 "Solids/Solid 1/Elements=30, 1, 1", "Solids/Solid 1/Clamped=0, 0, 0 : 0, 0.02, 0.02",
-                                 "Solids/Solid 1/Loaded=1, 0, 0 : 1, 0.02, 0.02",
-                                 "Solids/Solid 1/Traction=0; 0; 100*min(1, t/1e5)",
-                                 "Postprocess/Solid points/Points=tip: 1, 0.01, 0.01"))
-        check.near(f"{law} in space, large deflection", tip["tip z (m)"][-1], ELASTICA[0], 0.01)
-        check.near(f"{law} in space, shortening", -tip["tip x (m)"][-1], ELASTICA[1], 0.01)
-        check.below(f"{law} in space, deflection sideways (m)", abs(tip["tip y (m)"][-1]), 1e-3)
+
+    def tip(law, solver):
+        return read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}", f"Linear solver/Type={solver}",
+                                  "Dimension=3", "Gravity=0, 0, 0", "End time=1e5", "Output interval=1e5",
+                                  "Solids/Solid 1/Box=0, 0, 0 : 1, 0.02, 0.02", "Solids/Solid 1/Elements=30, 1, 1",
+                                  "Solids/Solid 1/Clamped=0, 0, 0 : 0, 0.02, 0.02",
+                                  "Solids/Solid 1/Loaded=1, 0, 0 : 1, 0.02, 0.02",
+                                  "Solids/Solid 1/Traction=0; 0; 100*min(1, t/1e5)",
+                                  "Postprocess/Solid points/Points=tip: 1, 0.01, 0.01"))
+
+    # Multigrid that does not know the rotations fails in the first step.
+    for law, solver in (("hypoelastic", "direct"), ("neo-Hookean", "direct"), ("hypoelastic", "iterative")):
+        run, name = tip(law, solver), f"{law} in space, {solver} solver"
+        check.near(f"{name}, large deflection", run["tip z (m)"][-1], ELASTICA[0], 0.01)
+        check.near(f"{name}, shortening", -run["tip x (m)"][-1], ELASTICA[1], 0.01)
+        check.below(f"{name}, deflection sideways (m)", abs(run["tip y (m)"][-1]), 1e-3)
 
 
 def test_pressure(check):

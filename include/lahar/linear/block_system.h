@@ -67,7 +67,8 @@ namespace Lahar
     /**
      * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
      * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own. With more
-     * than one rank the nodes are shared out by their @p positions, or by their numbers if there are none. Collective.
+     * than one rank the nodes are shared out by their @p positions, or by their numbers if there are none; solids need
+     * positions. Collective.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
                 const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
@@ -119,6 +120,18 @@ namespace Lahar
     unsigned int n_fluid_nodes() const
     {
       return n_pressures;
+    }
+
+    /// Whether some cells are those of solids.
+    bool has_solids() const
+    {
+      return nodes_per_solid_cell > 0;
+    }
+
+    /// Where this rank's own nodes were at reinit(); empty if that was not told.
+    const std::vector<Point<dim>> &positions() const
+    {
+      return own_positions;
     }
 
     /// The nodes of this rank.
@@ -211,6 +224,7 @@ namespace Lahar
     void make_matrices();
 
     NodePartition node_partition;
+    std::vector<Point<dim>> own_positions;
     unsigned int n_pressures = 0, n_own_pressures = 0;
     std::vector<unsigned int> fluid_numbers, local_numbers;
 

@@ -13,8 +13,10 @@ namespace Lahar
    *   P = [ K̃  0 ]     K̃ ≈ K,   S̃ ≈ S = H − C diag(K)⁻¹ Q,
    *       [ C  S̃ ]
    *
-   * for one block with K̃ or S̃. K̃⁻¹ and S̃⁻¹ are a cycle of algebraic multigrid (ML, smoothed aggregation with the
-   * translations as modes, Chebyshev smoothers) or incomplete factors (Ifpack, ILU).
+   * for one block with K̃ or S̃. K̃⁻¹ and S̃⁻¹ are a cycle of algebraic multigrid (ML, smoothed aggregation of nodes,
+   * Chebyshev smoothers) or incomplete factors (Ifpack, ILU). The modes that multigrid keeps are the translations, with
+   * solids the rotations too: without them it does not see how soft a slender solid is in bending. In a fluid alone they
+   * cost more than they save.
    *
    * K̃ and S̃ serve for the next systems of the same pattern too, until GMRES takes half as many iterations again as with
    * a fresh one.
@@ -43,8 +45,9 @@ namespace Lahar
     using Matrix         = TrilinosWrappers::SparseMatrix;
     using Preconditioner = std::unique_ptr<TrilinosWrappers::PreconditionBase>;
 
-    /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node.
-    Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components) const;
+    /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node: dim or 1.
+    Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components,
+                                       const BlockSystem<dim> &system) const;
 
     /// What approximates the inverse of one system: K̃⁻¹ and S̃⁻¹, and the matrices that they refer to.
     struct ApproximateInverse
