@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Views of runs in space: the fluid's free surface coloured by speed, at several times side by side.
+"""Views of runs in space: the fluid's surface coloured by speed, solids in one colour, at several times side by side.
 
     contrib/plot/render.py output-mini-cone --times 0 0.1 5 --to cone.png
 
@@ -23,11 +23,15 @@ def parse_arguments():
     parser.add_argument("--fastest", type=float, help="speed at the end of the colour scale, m/s (default: the largest)")
     parser.add_argument("--azimuth", type=float, default=30., help="of the camera about the vertical, degrees")
     parser.add_argument("--elevation", type=float, default=25., help="of the camera above the floor, degrees")
+    parser.add_argument("--columns", type=int, help="views side by side (default: all)")
     parser.add_argument("--width", type=int, default=520, help="of one view, pixels")
     return parser.parse_args()
 
 
-def read_surface(vtk, path):
+SOLID = (0.84, 0.37, 0.)
+
+
+def read_surface(vtk, path, feature_angle=50.):
     """The outside of a snapshot as smooth triangles with the field 'speed' at its points."""
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputData(read_joined(vtk, path))
@@ -38,9 +42,120 @@ def read_surface(vtk, path):
     norm.SetResultArrayName("speed")
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputConnection(norm.GetOutputPort())
-    normals.SetFeatureAngle(50.)
+    normals.SetFeatureAngle(feature_angle)
     normals.Update()
     return normals.GetOutput()
+
+
+class Scene:
+    """What all views share: centre, size, direction of view and colours."""
+
+    def __init__(self, vtk, surfaces, arguments):
+        self.vtk = vtk
+        bounds = np.array([surface.GetBounds() for surface in surfaces])
+        lower, upper = bounds[:, 0::2].min(axis=0), bounds[:, 1::2].max(axis=0)
+        self.floor, self.centre, self.extent = lower[2], 0.5 * (lower + upper), (upper - lower).max()
+        azimuth, elevation = np.radians([arguments.azimuth, arguments.elevation])
+        self.direction = np.array([np.cos(elevation) * np.sin(azimuth), -np.cos(elevation) * np.cos(azimuth),
+                                   np.sin(elevation)])
+        self.colours = vtk.vtkLookupTable()
+        self.colours.SetHueRange(0.62, 0.02)
+        self.colours.SetSaturationRange(0.55, 0.85)
+        self.colours.SetRange(0., arguments.fastest
+                              or max(surface.GetPointData().GetArray("speed").GetRange()[1] for surface in surfaces))
+        self.colours.Build()
+
+    def fluid(self, surface):
+        mapper = self.vtk.vtkPolyDataMapper()
+        mapper.SetInputData(surface)
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("speed")
+        mapper.SetLookupTable(self.colours)
+        mapper.SetScalarRange(*self.colours.GetRange())
+        actor = self.vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetSpecular(0.15)
+        return actor
+
+    def solid(self, surface):
+        mapper = self.vtk.vtkPolyDataMapper()
+        mapper.SetInputData(surface)
+        mapper.ScalarVisibilityOff()
+        actor = self.vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*SOLID)
+        return actor
+
+    def floor_plane(self):
+        floor = self.vtk.vtkPlaneSource()
+        (x, y), z, half = self.centre[:2], self.floor - 1e-3 * self.extent, 0.65 * self.extent
+        floor.SetOrigin(x - half, y - half, z)
+        floor.SetPoint1(x + half, y - half, z)
+        floor.SetPoint2(x - half, y + half, z)
+        mapper = self.vtk.vtkPolyDataMapper()
+        mapper.SetInputConnection(floor.GetOutputPort())
+        actor = self.vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(0.92, 0.92, 0.92)
+        actor.GetProperty().LightingOff()
+        return actor
+
+    def set_lights(self, renderer):
+        sun = self.vtk.vtkLight()
+        sun.SetPosition(*(self.centre + 5. * self.extent * np.array([0.4, -0.5, 1.])))
+        sun.SetFocalPoint(*self.centre)
+        sun.SetIntensity(0.75)
+        renderer.AddLight(sun)
+        lamp = self.vtk.vtkLight()
+        lamp.SetLightTypeToHeadlight()
+        lamp.SetIntensity(0.35)
+        renderer.AddLight(lamp)
+
+    def set_camera(self, renderer):
+        camera = renderer.GetActiveCamera()
+        camera.SetFocalPoint(*self.centre)
+        camera.SetPosition(*(self.centre + 2.6 * self.extent * self.direction))
+        camera.SetViewUp(0., 0., 1.)
+        camera.SetViewAngle(21.)
+        renderer.ResetCameraClippingRange()
+
+    def label(self, text, position):
+        actor = self.vtk.vtkTextActor()
+        actor.SetInput(text)
+        actor.SetPosition(*position)
+        actor.GetTextProperty().SetFontSize(20)
+        actor.GetTextProperty().SetColor(0.1, 0.1, 0.1)
+        return actor
+
+    def colour_bar(self):
+        bar = self.vtk.vtkScalarBarActor()
+        bar.SetLookupTable(self.colours)
+        bar.SetTitle("speed, m/s")
+        bar.SetNumberOfLabels(3)
+        bar.SetLabelFormat("%.2g")
+        bar.UnconstrainedFontSizeOn()
+        bar.SetPosition(0.8, 0.5)
+        bar.SetWidth(0.12)
+        bar.SetHeight(0.45)
+        for properties in (bar.GetLabelTextProperty(), bar.GetTitleTextProperty()):
+            properties.SetColor(0.1, 0.1, 0.1)
+            properties.SetFontSize(14)
+            properties.BoldOff()
+            properties.ShadowOff()
+            properties.ItalicOff()
+        return bar
+
+
+def write_picture(vtk, window, path):
+    window.Render()
+    picture = vtk.vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.Write()
+    print(f"Wrote {path}")
 
 
 def main():
@@ -51,97 +166,33 @@ def main():
     chosen = (nearest_snapshots(snapshots, arguments.times) if arguments.times
               else [snapshots[i] for i in sorted({0, last // 4, last})])
     surfaces = [read_surface(vtk, path) for _, path in chosen]
-    fastest = arguments.fastest or max(surface.GetPointData().GetArray("speed").GetRange()[1] for surface in surfaces)
+    solids = {time: read_surface(vtk, path, 20.) for time, path in read_pvd(arguments.output / "solution.pvd", 1)
+              if time in [time for time, _ in chosen]}
+    scene = Scene(vtk, surfaces + list(solids.values()), arguments)
 
+    n_columns = arguments.columns or len(chosen)
+    n_rows = -(-len(chosen) // n_columns)
+    width, height = arguments.width, int(0.8 * arguments.width)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(arguments.width * len(chosen), int(0.8 * arguments.width))
-    colours = vtk.vtkLookupTable()
-    colours.SetHueRange(0.62, 0.02)
-    colours.SetSaturationRange(0.55, 0.85)
-    colours.SetRange(0., fastest)
-    colours.Build()
-    bounds = np.array([surface.GetBounds() for surface in surfaces])
-    centre = 0.5 * (bounds[:, 0::2].min(axis=0) + bounds[:, 1::2].max(axis=0))
-    extent = (bounds[:, 1::2].max(axis=0) - bounds[:, 0::2].min(axis=0)).max()
-    azimuth, elevation = np.radians([arguments.azimuth, arguments.elevation])
-    direction = np.array([np.cos(elevation) * np.sin(azimuth), -np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
+    window.SetSize(width * n_columns, height * n_rows)
     for i, ((time, _), surface) in enumerate(zip(chosen, surfaces)):
+        column, row = i % n_columns, n_rows - 1 - i // n_columns
         renderer = vtk.vtkRenderer()
         renderer.SetBackground(1., 1., 1.)
-        renderer.SetViewport(i / len(chosen), 0., (i + 1) / len(chosen), 1.)
-        mapper = vtk.vtkPolyDataMapper()
-        mapper.SetInputData(surface)
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("speed")
-        mapper.SetLookupTable(colours)
-        mapper.SetScalarRange(0., fastest)
-        actor = vtk.vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetSpecular(0.15)
-        renderer.AddActor(actor)
-        floor = vtk.vtkPlaneSource()
-        z = bounds[:, 4].min() - 1e-3 * extent
-        half = 0.65 * extent
-        floor.SetOrigin(centre[0] - half, centre[1] - half, z)
-        floor.SetPoint1(centre[0] + half, centre[1] - half, z)
-        floor.SetPoint2(centre[0] - half, centre[1] + half, z)
-        floor_mapper = vtk.vtkPolyDataMapper()
-        floor_mapper.SetInputConnection(floor.GetOutputPort())
-        floor_actor = vtk.vtkActor()
-        floor_actor.SetMapper(floor_mapper)
-        floor_actor.GetProperty().SetColor(0.92, 0.92, 0.92)
-        floor_actor.GetProperty().LightingOff()
-        renderer.AddActor(floor_actor)
-        text = vtk.vtkTextActor()
-        text.SetInput(f"t = {time:g} s")
-        text.SetPosition(12, int(0.8 * arguments.width) - 32)
-        text.GetTextProperty().SetFontSize(20)
-        text.GetTextProperty().SetColor(0.1, 0.1, 0.1)
-        renderer.AddActor2D(text)
+        renderer.SetViewport(column / n_columns, row / n_rows, (column + 1) / n_columns, (row + 1) / n_rows)
+        renderer.AddActor(scene.fluid(surface))
+        if time in solids:
+            renderer.AddActor(scene.solid(solids[time]))
+        renderer.AddActor(scene.floor_plane())
+        renderer.AddActor2D(scene.label(f"t = {time:g} s", (12, height - 32)))
         if i == len(chosen) - 1:
-            bar = vtk.vtkScalarBarActor()
-            bar.SetLookupTable(colours)
-            bar.SetTitle("speed, m/s")
-            bar.SetNumberOfLabels(3)
-            bar.SetLabelFormat("%.2g")
-            bar.UnconstrainedFontSizeOn()
-            bar.SetPosition(0.8, 0.5)
-            bar.SetWidth(0.12)
-            bar.SetHeight(0.45)
-            for properties in (bar.GetLabelTextProperty(), bar.GetTitleTextProperty()):
-                properties.SetColor(0.1, 0.1, 0.1)
-                properties.SetFontSize(14)
-                properties.BoldOff()
-                properties.ShadowOff()
-                properties.ItalicOff()
-            renderer.AddActor2D(bar)
-        sun = vtk.vtkLight()
-        sun.SetPosition(*(centre + 5. * extent * np.array([0.4, -0.5, 1.])))
-        sun.SetFocalPoint(*centre)
-        sun.SetIntensity(0.75)
-        renderer.AddLight(sun)
-        lamp = vtk.vtkLight()
-        lamp.SetLightTypeToHeadlight()
-        lamp.SetIntensity(0.35)
-        renderer.AddLight(lamp)
-        camera = renderer.GetActiveCamera()
-        camera.SetFocalPoint(*centre)
-        camera.SetPosition(*(centre + 2.6 * extent * direction))
-        camera.SetViewUp(0., 0., 1.)
-        camera.SetViewAngle(21.)
-        renderer.ResetCameraClippingRange()
+            renderer.AddActor2D(scene.colour_bar())
+        scene.set_lights(renderer)
+        scene.set_camera(renderer)
         window.AddRenderer(renderer)
-    window.Render()
-    picture = vtk.vtkWindowToImageFilter()
-    picture.SetInput(window)
-    picture.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(str(arguments.to))
-    writer.SetInputConnection(picture.GetOutputPort())
-    writer.Write()
-    print(f"Wrote {arguments.to}")
+    write_picture(vtk, window, arguments.to)
 
 
 if __name__ == "__main__":
