@@ -7,6 +7,7 @@ Needs VTK (Debian: python3-vtk9) and, where there is no display, a virtual one (
 """
 
 import argparse
+import itertools
 import pathlib
 
 import numpy as np
@@ -29,6 +30,8 @@ def parse_arguments():
 
 
 SOLID = (0.84, 0.37, 0.)
+VIEW_ANGLE = 21.  # degrees
+HEIGHT = 0.8  # of a view over its width
 
 
 def read_surface(vtk, path, feature_angle=50.):
@@ -58,6 +61,11 @@ class Scene:
         azimuth, elevation = np.radians([arguments.azimuth, arguments.elevation])
         self.direction = np.array([np.cos(elevation) * np.sin(azimuth), -np.cos(elevation) * np.cos(azimuth),
                                    np.sin(elevation)])
+        # The half height that holds the corners of the box around everything, as the camera sees them.
+        right = np.array([np.cos(azimuth), np.sin(azimuth), 0.])
+        corners = 0.5 * (upper - lower) * np.array(list(itertools.product((-1., 1.), repeat=3)))
+        self.half_height = 1.08 * max(abs(corners @ np.cross(right, -self.direction)).max(),
+                                      HEIGHT * abs(corners @ right).max()) + 0.02 * self.extent
         self.colours = vtk.vtkLookupTable()
         self.colours.SetHueRange(0.62, 0.02)
         self.colours.SetSaturationRange(0.55, 0.85)
@@ -114,9 +122,10 @@ class Scene:
     def set_camera(self, renderer):
         camera = renderer.GetActiveCamera()
         camera.SetFocalPoint(*self.centre)
-        camera.SetPosition(*(self.centre + 2.6 * self.extent * self.direction))
+        depth = 0.5 * self.extent
+        camera.SetPosition(*(self.centre + (self.half_height / np.tan(np.radians(0.5 * VIEW_ANGLE)) + depth) * self.direction))
         camera.SetViewUp(0., 0., 1.)
-        camera.SetViewAngle(21.)
+        camera.SetViewAngle(VIEW_ANGLE)
         renderer.ResetCameraClippingRange()
 
     def label(self, text, position):
@@ -172,7 +181,7 @@ def main():
 
     n_columns = arguments.columns or len(chosen)
     n_rows = -(-len(chosen) // n_columns)
-    width, height = arguments.width, int(0.8 * arguments.width)
+    width, height = arguments.width, int(HEIGHT * arguments.width)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
