@@ -146,7 +146,7 @@ void test_tangent(const unsigned int degree, const std::string &law)
   };
 
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(0, {}, mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell());
+  system.reinit(0, {}, mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell(), old.position);
   const auto residual = [&](const double length) {
     system.set_zero();
     check(name + "assembled", assembler.assemble(solids, moved(length), factors, gravity,
