@@ -18,7 +18,8 @@ namespace Lahar
     prm.declare_entry(
       "Viscosity limit", "0.1", Patterns::Anything(),
       "Largest viscosity in Pa s that enters the stabilisation parameter, zero or above. The effective "
-      "viscosity of a plug would switch the stabilisation off.");
+      "viscosity of a plug would switch the stabilisation off; with a low limit fluid that comes to rest creeps, in "
+      "proportion to the time step.");
     prm.leave_subsection();
   }
 
