@@ -12,8 +12,12 @@ import pathlib
 
 import numpy as np
 
-from lahar_output import nearest_snapshots, read_pvd, run_script
+from lahar_output import OutputError, nearest_snapshots, read_pvd, run_script
 from vtk_output import load_vtk, read_joined
+
+SOLID = (0.84, 0.37, 0.)
+VIEW_ANGLE = 21.  # degrees
+HEIGHT = 0.8  # of a view over its width
 
 
 def parse_arguments():
@@ -27,11 +31,6 @@ def parse_arguments():
     parser.add_argument("--columns", type=int, help="views side by side (default: all)")
     parser.add_argument("--width", type=int, default=520, help="of one view, pixels")
     return parser.parse_args()
-
-
-SOLID = (0.84, 0.37, 0.)
-VIEW_ANGLE = 21.  # degrees
-HEIGHT = 0.8  # of a view over its width
 
 
 def read_surface(vtk, path, feature_angle=50.):
@@ -169,6 +168,8 @@ def write_picture(vtk, window, path):
 
 def main():
     arguments = parse_arguments()
+    if arguments.columns is not None and arguments.columns < 1:
+        raise OutputError("--columns must be 1 or more")
     vtk = load_vtk()
     snapshots = read_pvd(arguments.output / "solution.pvd")
     last = len(snapshots) - 1

@@ -1,4 +1,3 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Epetra_MultiVector.h>
@@ -8,48 +7,15 @@
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/linear/schur_complement.h>
 
+#include <array>
+#include <string>
+
 namespace Lahar
 {
   namespace
   {
     /// An approximate inverse with which GMRES takes more than this times the iterations of a fresh one is made anew.
     constexpr double largest_growth = 1.5;
-
-
-
-    /// Translations and rotations about the mean of all ranks' nodes, by mode, own node and component; of size one.
-    template <int dim>
-    std::vector<double> rigid_body_modes(const std::vector<Point<dim>> &positions,
-                                         const MPI_Comm &communicator)
-    {
-      const unsigned int n_rows = dim * positions.size(), n_modes = dim * (dim + 1) / 2;
-      Tensor<1, dim> mean;
-      for (const Point<dim> &x : positions)
-        mean += x;
-      mean = Utilities::MPI::sum(mean, communicator) /
-             Utilities::MPI::sum<double>(positions.size(), communicator);
-      double size = 0.;
-      for (const Point<dim> &x : positions)
-        size = std::max(size, (x - mean).norm());
-      size = Utilities::MPI::max(size, communicator);
-
-      std::vector<double> modes(n_modes * n_rows, 0.);
-      for (unsigned int v = 0; v < positions.size(); ++v)
-      {
-        const Tensor<1, dim> x = (positions[v] - mean) / size;
-        unsigned int rotation  = dim;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          modes[d * n_rows + v * dim + d] = 1.;
-          for (unsigned int e = d + 1; e < dim; ++e, ++rotation)
-          {
-            modes[rotation * n_rows + v * dim + d] = -x[e];
-            modes[rotation * n_rows + v * dim + e] = x[d];
-          }
-        }
-      }
-      return modes;
-    }
   } // namespace
 
 
@@ -101,12 +67,16 @@ namespace Lahar
       std::unique_ptr<Epetra_MultiVector> modes;
       data.set_parameters(list, modes, matrix);
       list.set("PDE equations", static_cast<int>(n_components)); // aggregates are made of nodes
-      std::vector<double> rigid_modes;
+      std::array<std::vector<double>, dim> coordinates;
       if (n_components == dim && system.has_solids())
       {
-        rigid_modes = rigid_body_modes(system.positions(), system.partition().communicator());
-        list.set("null space: dimension", dim * (dim + 1) / 2);
-        list.set("null space: vectors", rigid_modes.data());
+        list.set("null space: type", "elasticity from coordinates"); // translations and rotations
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          for (const Point<dim> &x : system.positions())
+            coordinates[d].push_back(x[d]);
+          list.set(std::string(1, "xyz"[d]) + "-coordinates", coordinates[d].data());
+        }
       }
       list.set("coarse: max size", 300); // larger ones cost more to factorise than a level more
       preconditioner->initialize(matrix, list);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""V8, V9 and V2 of elastic solids, V8 in space too: cantilevers, vibrations, free flight, a wall under hydrostatic load, a floating block."""
+"""V8 (in space too), V9 and V2 of elastic solids: cantilevers, vibrations, free flight, hydrostatic load, a floating block."""
 
 import numpy as np
 
@@ -179,8 +179,8 @@ def test_floating_block(check):
 
 def main():
     check = Check(__doc__)
-    for test in (test_cantilever, test_cantilever_in_space, test_pressure, test_vibration, test_driven_foot, test_flight, test_hydrostatic_wall,
-                 test_floating_block):
+    for test in (test_cantilever, test_cantilever_in_space, test_pressure, test_vibration, test_driven_foot, test_flight,
+                 test_hydrostatic_wall, test_floating_block):
         test(check)
     check.finish()
 
