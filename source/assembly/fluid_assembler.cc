@@ -1,4 +1,5 @@
 #include <lahar/assembly/fluid_assembler.h>
+#include <lahar/assembly/residual_projection.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
 #include <algorithm>
@@ -11,15 +12,16 @@ namespace Lahar
   {
     prm.enter_subsection("Stabilization");
     prm.declare_entry(
-      "Form", "residual", Patterns::Anything(),
-      "Stabilisation of the mass equation: 'FIC' (Franci & Zhang 2018, with boundary terms on the free "
-      "surface), 'FIC interior' (the same without them) or 'residual' (the full momentum residual in "
-      "the gradient term; conserves volume).");
+      "Form", "projected residual", Patterns::Anything(),
+      "Stabilisation of the mass equation: 'FIC' (Franci & Zhang 2018, with boundary terms on the free surface), 'FIC "
+      "interior' (the same without them), 'residual' (the full momentum residual in the gradient term; conserves "
+      "volume) or 'projected residual' (of this only what cells differ by from their neighbours, so that stress in "
+      "fluid at rest drives no flow).");
     prm.declare_entry(
       "Viscosity limit", "0.1", Patterns::Anything(),
       "Largest viscosity in Pa s that enters the stabilisation parameter, zero or above. The effective "
-      "viscosity of a plug would switch the stabilisation off; with a low limit fluid that comes to rest creeps, in "
-      "proportion to the time step.");
+      "viscosity of a plug would switch the stabilisation off. With the forms other than 'projected residual' and a low "
+      "limit fluid that comes to rest creeps, in proportion to the time step.");
     prm.leave_subsection();
   }
 
@@ -36,8 +38,10 @@ namespace Lahar
       stabilization = Stabilization::fic_interior;
     else if (form == "residual")
       stabilization = Stabilization::residual;
+    else if (form == "projected residual")
+      stabilization = Stabilization::projected_residual;
     else
-      prm.throw_wrong_value("Form", "FIC|FIC interior|residual");
+      prm.throw_wrong_value("Form", "FIC|FIC interior|residual|projected residual");
     viscosity_limit = prm.get_positive("Viscosity limit", true);
     prm.leave_subsection();
   }
@@ -63,7 +67,7 @@ namespace Lahar
 
   template <int dim>
   void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law,
-                                              FluidState<dim> &state) const
+                                              const Tensor<1, dim> &gravity, FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
     state.stabilization.resize(mesh.n_cells());
@@ -72,11 +76,25 @@ namespace Lahar
     {
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
-      const double edge = (dim == 2 ? std::sqrt(4. / std::sqrt(3.) * cell.volume)
-                                    : std::cbrt(6. * std::sqrt(2.) * cell.volume));
+      const double edge = cell.edge();
       const double mu   = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
       state.stabilization_viscosity[c] = mu;
       state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.factors.time_step);
+    }
+
+    state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
+    if (stabilization == Stabilization::projected_residual)
+    {
+      ResidualProjection<dim> projection(mesh.n_vertices());
+      cell.law     = &law;
+      cell.gravity = gravity;
+      for (const Simplex<dim> &vertices : mesh.cells())
+      {
+        gather(vertices, state, cell);
+        cell.reinit(corners_of<dim>(vertices, state.old_position), false);
+        projection.add(vertices, cell);
+      }
+      state.residual_projection = projection.compute();
     }
   }
 
@@ -164,8 +182,10 @@ namespace Lahar
         return false;
       if (cell.moves_implicitly())
         cell.old_volume = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
-      cell.stabilization           = state.stabilization[c];
-      cell.stabilization_viscosity = state.stabilization_viscosity[c];
+      cell.stabilization       = state.stabilization[c];
+      cell.residual_projection = Tensor<1, dim>();
+      for (const unsigned int v : mesh.cells()[c])
+        cell.residual_projection += state.residual_projection[v] / (dim + 1.);
       if (linearization.viscosity == ViscosityLinearization::primal_dual)
         cell.plastic_dual = state.plastic_dual[c];
 
@@ -174,7 +194,7 @@ namespace Lahar
       body_force.assemble(cell, cell_system);
       viscous_stress.assemble(cell, cell_system);
       pressure_divergence.assemble(cell, cell_system);
-      if (stabilization == Stabilization::residual)
+      if (stabilization == Stabilization::projected_residual || stabilization == Stabilization::residual)
         residual_stabilization.assemble(cell, cell_system);
       else
         fic_interior.assemble(cell, cell_system);

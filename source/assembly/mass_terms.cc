@@ -56,7 +56,7 @@ namespace Lahar
 
   namespace
   {
-    /// R_I += ∫ τ_s ∇N_I·q with q = ∇p + ρ g − ρ ā, the last one with @p density zero where it is left out.
+    /// R_I += ∫ τ_s ∇N_I·(q − π), q = ∇p + ρ g − ρ ā; ā with @p density zero where it is left out.
     template <int dim>
     void assemble_gradient_term(const FluidCell<dim> &cell, const double inertia_density,
                                 CellSystem<dim> &system)
@@ -66,9 +66,8 @@ namespace Lahar
       const auto &G               = cell.gradients;
       const double tau_V          = cell.stabilization * cell.volume;
       const Tensor<1, dim> grad_p = cell.pressure_gradient();
-      const Tensor<1, dim> q      = grad_p + cell.law->density() * cell.gravity -
-                               inertia_density * cell.mean_acceleration();
-      const double mass_factor = inertia_density * cell.factors.acceleration_factor / n;
+      const Tensor<1, dim> q      = cell.momentum_residual(inertia_density) - cell.residual_projection;
+      const double mass_factor    = inertia_density * cell.factors.acceleration_factor / n;
 
       for (unsigned int I = 0; I < n; ++I)
       {

@@ -91,7 +91,7 @@ namespace Lahar
     held_vertices.start_step(is_fluid);
     pressure_change.assign(mesh->n_vertices(), 0.);
 
-    assembler.set_stabilization(*mesh, law, state);
+    assembler.set_stabilization(*mesh, law, gravity, state);
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();

@@ -85,7 +85,7 @@ void test()
   Tensor<1, dim> translation;
   translation[0] = 0.3;
 
-  for (const std::string form : {"residual", "FIC interior", "FIC"})
+  for (const std::string form : {"projected residual", "residual", "FIC interior", "FIC"})
     for (const FluidLaw *law : {newtonian.get(), bingham.get()})
     {
       Stokes<dim> stokes(mesh, cloud, *law, Tensor<1, dim>(), 1.,

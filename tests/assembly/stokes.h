@@ -37,7 +37,7 @@ namespace Tests
       state.position_factor                                         = std::vector<double>(n, 0.);
       constraints.resize(n);
       system.reinit(n, mesh.cells());
-      assembler.set_stabilization(mesh, law, state);
+      assembler.set_stabilization(mesh, law, gravity, state);
     }
 
     /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return

@@ -77,7 +77,7 @@ void test(const unsigned int n)
 
   FluidAssembler<dim> assembler;
   parse(assembler);
-  assembler.set_stabilization(mesh, *law, state);
+  assembler.set_stabilization(mesh, *law, gravity, state);
   assembler.start_plastic_dual(mesh, *law, state);
   BlockSystem<dim> system(MPI_COMM_WORLD);
   system.reinit(n_vertices, mesh.cells(), 0, {}, 0, state.position);

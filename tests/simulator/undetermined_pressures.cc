@@ -54,7 +54,7 @@ int main(int argc, char **argv)
   gravity[1] = -9.81;
   FluidAssembler<2> assembler;
   parse(assembler);
-  assembler.set_stabilization(mesh, *law, state);
+  assembler.set_stabilization(mesh, *law, gravity, state);
   BlockSystem<2> system(MPI_COMM_WORLD);
   system.reinit(6, mesh.cells());
   constraints.assign(6, NodeConstraint<2>());

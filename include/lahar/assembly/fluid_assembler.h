@@ -32,9 +32,11 @@ namespace Lahar
 
     /**
      * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, h the edge of the equilateral simplex of the
-     * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step.
+     * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step; and π,
+     * see ResidualProjection, of the start of the step.
      */
-    void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+    void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
+                           FluidState<dim> &state) const;
 
     /// Set Λ = 2 f d' of all cells from the present velocities.
     void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
@@ -56,14 +58,15 @@ namespace Lahar
   private:
     enum class Stabilization
     {
-      fic,          ///< FICInterior and FICFreeSurface
-      fic_interior, ///< FICInterior
-      residual      ///< ResidualStabilization
+      fic,               ///< FICInterior and FICFreeSurface
+      fic_interior,      ///< FICInterior
+      residual,          ///< ResidualStabilization without projection
+      projected_residual ///< ResidualStabilization
     };
 
     void gather(const Simplex<dim> &vertices, const FluidState<dim> &state, FluidCell<dim> &cell) const;
 
-    Stabilization stabilization = Stabilization::residual;
+    Stabilization stabilization = Stabilization::projected_residual;
     double viscosity_limit      = 0.1;
   };
 } // namespace Lahar

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace Lahar
 {
@@ -57,6 +58,7 @@ namespace Lahar
     const FluidLaw *law            = nullptr;
     double stabilization           = 0.;  ///< τ_s, m³ s/kg
     double stabilization_viscosity = 0.;  ///< viscosity in the stabilisation terms, Pa s
+    Tensor<1, dim> residual_projection;   ///< mean of π over the corners, see ResidualProjection; N/m³
     SymmetricTensor<2, dim> plastic_dual; ///< Λ of the primal–dual Newton scheme
 
     /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
@@ -91,6 +93,18 @@ namespace Lahar
       for (unsigned int I = 0; I < n_nodes; ++I)
         sum += pressure[I] * gradients[I];
       return sum;
+    }
+
+    /// ∇p + ρ g − ρ ā, with @p inertia_density for ρ in the last term.
+    Tensor<1, dim> momentum_residual(const double inertia_density) const
+    {
+      return pressure_gradient() + law->density() * gravity - inertia_density * mean_acceleration();
+    }
+
+    /// The edge of the equilateral simplex with the same volume, m.
+    double edge() const
+    {
+      return dim == 2 ? std::sqrt(4. / std::sqrt(3.) * volume) : std::cbrt(6. * std::sqrt(2.) * volume);
     }
 
     /// ∫ N_I N_J over the cell, divided by its volume.

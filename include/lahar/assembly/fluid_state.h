@@ -28,6 +28,7 @@ namespace Lahar
     std::vector<double> pressure;
 
     std::vector<double> stabilization, stabilization_viscosity;
+    std::vector<Tensor<1, dim>> residual_projection; ///< by vertex, N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
 
     StepFactors factors;

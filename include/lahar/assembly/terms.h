@@ -97,7 +97,7 @@ namespace Lahar
   };
 
   /**
-   * Residual-based stabilisation (PSPG): R_I += ∫ τ_s ∇N_I·(∇p + ρ g − ρ a).
+   * Residual-based stabilisation (PSPG): R_I += ∫ τ_s ∇N_I·(∇p + ρ g − ρ a − π), π see ResidualProjection.
    *
    * Consistent without boundary terms; since the shape functions sum to one, the rows sum to ∫ div v = 0: the scheme
    * keeps the fluid's volume to solver tolerance.
