@@ -1,4 +1,3 @@
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/undetermined_pressures.h>
 
@@ -10,8 +9,6 @@ namespace Lahar
 {
   namespace
   {
-    /// A cell keeps this part of its volume in every iteration …
-    constexpr double smallest_part = 0.2;
     /// Increments that would invert simplices even at this part of their length are not taken.
     constexpr double shortest_step = 1e-3;
   } // namespace
@@ -65,25 +62,7 @@ namespace Lahar
     reinit_system(cloud);
     linear_solver->forget();
 
-    const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
-      of_vertices.resize(mesh->n_vertices());
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        of_vertices[v] = of_cloud[mesh->particle(v)];
-    };
-    gather(cloud.position, state.old_position);
-    gather(cloud.velocity, state.old_velocity);
-    gather(cloud.acceleration, state.old_acceleration);
-    gather(cloud.pressure, state.old_pressure);
-    gather(cloud.pressure_rate, state.old_pressure_rate);
-    state.factors = time_integration.factors();
-    state.position_factor.resize(mesh->n_vertices());
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.position_factor[v] = time_integration.position_factor(
-        arrives[v] && cloud.kind[mesh->particle(v)] != ParticleKind::solid);
-    state.pressure     = state.old_pressure;
-    state.velocity     = state.old_velocity;
-    state.position     = state.old_position;
-    state.acceleration = state.old_acceleration;
+    fluid.start(*mesh, cloud, time_integration, arrives);
     velocity_change.assign(system.n_nodes(), Tensor<1, dim>());
     std::vector<bool> is_fluid(mesh->n_vertices());
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
@@ -91,26 +70,25 @@ namespace Lahar
     held_vertices.start_step(is_fluid);
     pressure_change.assign(mesh->n_vertices(), 0.);
 
-    assembler.set_stabilization(*mesh, law, gravity, state);
+    assembler.set_stabilization(*mesh, law, gravity, fluid.state);
     if (law.yield_stress() > 0.)
-      assembler.start_plastic_dual(*mesh, law, state);
+      assembler.start_plastic_dual(*mesh, law, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
     solid.get_velocities(velocities); // the prescribed ones
     set_node_velocities(velocities);
     // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
-    // v = −(Δt/s − 1) v_n, nothing is. Walls and solids keep their velocities; a driven solid may leave no room.
+    // nothing is. Walls and solids keep their velocities; a driven solid may leave no room.
     std::vector<double> motion(mesh->n_vertices(), 1.);
-    const std::vector<double> old_volumes = volumes(state.old_position);
+    const std::vector<double> old_volumes = fluid.old_volumes();
     for (bool any_shorter = true; any_shorter;)
     {
       any_shorter = false;
-      for (const unsigned int v : shrinking_vertices(old_volumes))
+      for (const unsigned int v : fluid.shrinking_vertices(old_volumes))
         if (constraints[v].n_fixed < dim && motion[v] > 0.)
         {
-          any_shorter       = true;
-          motion[v]         = std::max(0., motion[v] - 0.25);
-          const double rest = state.factors.time_step / state.position_factor[v] - 1.;
-          velocities[v]     = (motion[v] * (1. + rest) - rest) * state.old_velocity[v];
+          any_shorter   = true;
+          motion[v]     = std::max(0., motion[v] - 0.25);
+          velocities[v] = fluid.slowed_velocity(v, motion[v]);
         }
       if (any_shorter)
         set_node_velocities(velocities);
@@ -146,7 +124,7 @@ namespace Lahar
   {
     std::vector<Tensor<1, dim>> velocities(system.n_nodes());
     solid.get_velocities(velocities);
-    std::copy(state.velocity.begin(), state.velocity.end(), velocities.begin());
+    fluid.get_velocities(velocities);
     return velocities;
   }
 
@@ -155,51 +133,8 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_node_velocities(const std::vector<Tensor<1, dim>> &velocities)
   {
-    std::copy(velocities.begin(), velocities.begin() + mesh->n_vertices(), state.velocity.begin());
-    move_state();
+    fluid.move(velocities);
     solid.move(velocities);
-  }
-
-
-
-  template <int dim>
-  void StepProblem<dim>::move_state()
-  {
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      state.acceleration[v] = time_integration.acceleration(state.velocity[v], state.old_velocity[v],
-                                                            state.old_acceleration[v]);
-      state.position[v]     = state.old_position[v] + time_integration.displacement(state.velocity[v],
-                                                                                    state.old_velocity[v],
-                                                                                    state.position_factor[v]);
-    }
-  }
-
-
-
-  template <int dim>
-  std::vector<double> StepProblem<dim>::volumes(const std::vector<Point<dim>> &positions) const
-  {
-    std::vector<double> result;
-    result.reserve(mesh->n_cells());
-    for (const Simplex<dim> &cell : mesh->cells())
-      result.push_back(signed_volume<dim>(corners_of<dim>(cell, positions)));
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int> StepProblem<dim>::shrinking_vertices(const std::vector<double> &from) const
-  {
-    std::vector<unsigned int> vertices;
-    const std::vector<double> to = volumes(state.position);
-    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (!(to[c] > smallest_part * from[c]))
-        vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
   }
 
 
@@ -214,12 +149,13 @@ namespace Lahar
       dv += velocity_change[i].norm_square();
     for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
     {
-      p += state.pressure[i] * state.pressure[i];
+      p += fluid.state.pressure[i] * fluid.state.pressure[i];
       dp += pressure_change[i] * pressure_change[i];
     }
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound.
     const double n_nodes = system.n_nodes();
-    const double v_floor = (1e-8 * gravity.norm() * state.factors.time_step + 1e-8 * solid.speed_of_sound()) *
+    const double v_floor = (1e-8 * gravity.norm() * fluid.state.factors.time_step +
+                            1e-8 * solid.speed_of_sound()) *
                              std::sqrt(n_nodes) +
                            1e-300;
     const double p_floor = v_floor * fluid_law->density() * (1. + std::sqrt(v / n_nodes));
@@ -245,7 +181,7 @@ namespace Lahar
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, state, linearization, system)))
+      if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
     if (solid.nodes_per_cell() > 0)
@@ -266,7 +202,8 @@ namespace Lahar
     TimerOutput::Scope scope(timer, "Solve");
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
-    const double v_scale = std::max(velocity_norm, gravity.norm() * state.factors.time_step * length * 1e-3);
+    const double v_scale = std::max(velocity_norm,
+                                    gravity.norm() * fluid.state.factors.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
     const unsigned int n_iterations = linear_solver->solve(system, v_scale, p_scale, solution);
     start_increment();
@@ -295,10 +232,10 @@ namespace Lahar
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
     base_velocity = node_velocities();
-    base_volumes  = volumes(state.position);
-    base_pressure = state.pressure;
+    base_volumes  = fluid.new_volumes();
+    base_pressure = fluid.state.pressure;
     if (fluid_law->yield_stress() > 0.)
-      assembler.predict_plastic_dual(*mesh, *fluid_law, state, velocity_change, base_dual, dual_change);
+      assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, velocity_change, base_dual, dual_change);
   }
 
 
@@ -316,8 +253,8 @@ namespace Lahar
     };
     move_along();
     damped = false;
-    for (std::vector<unsigned int> shrinking = shrinking_vertices(base_volumes); !shrinking.empty();
-         shrinking                           = shrinking_vertices(base_volumes))
+    for (std::vector<unsigned int> shrinking = fluid.shrinking_vertices(base_volumes); !shrinking.empty();
+         shrinking                           = fluid.shrinking_vertices(base_volumes))
     {
       damped = true;
       for (const unsigned int v : shrinking)
@@ -327,10 +264,10 @@ namespace Lahar
     if (length == 1.)
       held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.pressure[v] = base_pressure[v] + length * pressure_change[v];
+      fluid.state.pressure[v] = base_pressure[v] + length * pressure_change[v];
     if (fluid_law->yield_stress() > 0.)
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-        state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
+        fluid.state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
     set_norms();
     if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
       throw RunError("velocity or pressure is not a finite number");
@@ -359,7 +296,7 @@ namespace Lahar
     for (unsigned int v = 0; v < n; ++v)
       for (unsigned int d = 0; d < dim; ++d)
         values[dim * v + d] = velocities[v][d];
-    std::copy(state.pressure.begin(), state.pressure.end(), values.begin() + dim * n);
+    std::copy(fluid.state.pressure.begin(), fluid.state.pressure.end(), values.begin() + dim * n);
     return values;
   }
 
@@ -387,11 +324,11 @@ namespace Lahar
       for (unsigned int d = 0; d < dim; ++d)
         velocities[v][d] = values[dim * v + d];
     set_node_velocities(velocities);
-    const bool inverted = !shrinking_vertices(base_volumes).empty();
+    const bool inverted = !fluid.shrinking_vertices(base_volumes).empty();
     if (inverted)
       set_node_velocities(old_velocities);
     else
-      std::copy(values.begin() + dim * n, values.end(), state.pressure.begin());
+      std::copy(values.begin() + dim * n, values.end(), fluid.state.pressure.begin());
     set_norms();
     return !inverted;
   }
@@ -405,7 +342,7 @@ namespace Lahar
     double largest     = -1.;
     std::vector<Point<dim>> positions(system.n_nodes());
     solid.get_positions(positions);
-    std::copy(state.position.begin(), state.position.end(), positions.begin());
+    std::copy(fluid.state.position.begin(), fluid.state.position.end(), positions.begin());
     for (unsigned int v = 0; v < system.n_nodes(); ++v)
     {
       const double increment = velocity_change[v].norm() / velocity_norm +
@@ -437,15 +374,7 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solids);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      const unsigned int i   = mesh->particle(v);
-      cloud.position[i]      = state.position[v];
-      cloud.velocity[i]      = state.velocity[v];
-      cloud.acceleration[i]  = state.acceleration[v];
-      cloud.pressure_rate[i] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
-      cloud.pressure[i]      = state.pressure[v];
-    }
+    fluid.accept(cloud);
   }
 
 

@@ -7,6 +7,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/held_vertices.h>
 #include <lahar/simulator/solid_step.h>
 #include <lahar/simulator/time_integration.h>
@@ -79,7 +80,7 @@ namespace Lahar
     /// How far a vertex moves in the step, m.
     double movement(const unsigned int vertex) const
     {
-      return state.position[vertex].distance(state.old_position[vertex]);
+      return fluid.state.position[vertex].distance(fluid.state.old_position[vertex]);
     }
 
     /// Velocities by vertex, then pressures.
@@ -146,14 +147,10 @@ namespace Lahar
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
     void start_increment();
-    void move_state();
     /// Velocities of all nodes.
     std::vector<Tensor<1, dim>> node_velocities() const;
     /// Set them, and what follows from them.
     void set_node_velocities(const std::vector<Tensor<1, dim>> &velocities);
-    std::vector<double> volumes(const std::vector<Point<dim>> &positions) const;
-    /// The vertices of cells that are inverted or much smaller than given, ascending.
-    std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
     void set_norms();
 
     MPI_Comm communicator;
@@ -167,7 +164,7 @@ namespace Lahar
     const FluidLaw *fluid_law  = nullptr;
     Tensor<1, dim> gravity;
     TimeIntegration time_integration;
-    FluidState<dim> state;
+    FluidStep<dim> fluid;
     SolidStep<dim> solid;
 
     std::vector<Simplex<dim>> numbered_cells;
