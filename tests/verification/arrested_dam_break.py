@@ -47,17 +47,13 @@ def main():
     reference = read_reference("arrested_dam_break/bingham_1d_arrested_dambreak_analytic.csv")
     exact_front = LENGTH * float(np.interp(B, reference["B"], reference["X_over_L"]))
 
-    fronts = []
-    for h in (0.02, 0.01):
-        directory = check.run("arrested_dam_break/arrested_dam_break.prm", f"Mesh size={h}")
-        statistics = read_run(directory)
-        time, front = statistics["Time (s)"], statistics["front (m)"]
-        fronts.append(front[-1])
-    print(f"  front with h = 0.02 and 0.01 m: {fronts[0]:.4f} and {fronts[1]:.4f} m")
-    # The surface ends in a corner thinner than a cell, so that the error is of first order in h.
-    limit = 2. * fronts[1] - fronts[0]
-    check.near("front for h -> 0 (m), lubrication theory", limit, exact_front, 0.05)
-    check.near("front for h -> 0 (m), with the stress along the flow", limit, front_of_next_order(), 0.02)
+    # The collapse is over after 5 s.
+    check.run("arrested_dam_break/arrested_dam_break.prm", "End time=5")
+    directory = check.run("arrested_dam_break/arrested_dam_break.prm", "Time step=0.1", resume=True)
+    statistics = read_run(directory)
+    time, front = statistics["Time (s)"], statistics["front (m)"]
+    check.near("front (m), lubrication theory", front[-1], exact_front, 0.05)
+    check.near("front (m), with the stress along the flow", front[-1], front_of_next_order(), 0.02)
     last_fifth = time > 0.8 * time[-1]
     print(f"  advance of the front in the last fifth of the run: {100. * np.ptp(front[last_fifth]) / exact_front:.2f} %")
     stations = np.linspace(0.05, 0.9, 18) * exact_front

@@ -14,6 +14,7 @@ from lahar_output import OutputError, read_pvd, read_vtu
 
 YIELD_NUMBER = 0.2
 EXACT_FRONT = (9. / (8. * YIELD_NUMBER))**(1. / 3.)
+FRONT_OF_NEXT_ORDER = 1.7117  # front_of_next_order() of arrested_dam_break.py
 
 
 def draw_hydrostatic_column(runs):
@@ -94,12 +95,18 @@ def draw_arrested_dam_break(runs):
                                          gridspec_kw={"width_ratios": [1., 1.6]})
     statistics = read_run(runs / "arrested_dam_break")
     left.plot(statistics["Time (s)"], statistics["front (m)"])
-    left.axhline(EXACT_FRONT, color=INK, linewidth=0.8, linestyle="--")
+    left.axhline(EXACT_FRONT, color="#D55E00", linewidth=0.8)
+    left.axhline(FRONT_OF_NEXT_ORDER, color="#009E73", linewidth=0.8, linestyle="--")
     left.set(xlabel="$t$ (s)", ylabel="front (m)")
     mesh = read_vtu(read_pvd(runs / "arrested_dam_break" / "solution.pvd")[-1][1])
     right.triplot(*mesh.points.T, mesh.triangles, linewidth=0.3)
     x = np.linspace(0., EXACT_FRONT, 300)
     right.plot(x, 0.1 * np.sqrt(2. * YIELD_NUMBER * (EXACT_FRONT - x)), color="#D55E00", label="lubrication theory")
+    slope = YIELD_NUMBER * 0.1**2
+    b = 0.5 * np.pi * slope
+    x = np.linspace(0., FRONT_OF_NEXT_ORDER, 300)
+    right.plot(x, b + np.sqrt(b**2 + 2. * slope * (FRONT_OF_NEXT_ORDER - x)), color="#009E73", linestyle="--",
+               label="next order")
     right.set(xlabel="$x$ (m)", ylabel="$y$ (m), enlarged", title=f"$t$ = {statistics['Time (s)'][-1]:.3g} s")
     right.legend()
     return figure

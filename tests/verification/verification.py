@@ -43,12 +43,14 @@ class Check:
         self.overrides = arguments.set
         self.misses = []
 
-    def run(self, prm, *settings):
-        """Run prm/verification/@p prm with further settings "entry=value". Return its output directory."""
+    def run(self, prm, *settings, resume=False):
+        """Run prm/verification/@p prm with further settings "entry=value", or @p resume the last such run. Return its
+        output directory."""
         directory = (self.output / pathlib.Path(prm).stem).resolve()
-        shutil.rmtree(directory, ignore_errors=True)
-        directory.mkdir(parents=True)
-        command = [str(self.lahar), "--set", f"Output directory={directory}"]
+        if not resume:
+            shutil.rmtree(directory, ignore_errors=True)
+            directory.mkdir(parents=True)
+        command = [str(self.lahar), *(["--resume"] if resume else []), "--set", f"Output directory={directory}"]
         for override in [*settings, *self.overrides]:
             command += ["--set", override]
         start = time.monotonic()
