@@ -8,6 +8,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// GmresTargets::slack.
+    constexpr double slack = 1.5;
+  } // namespace
+
+
+
   template <int dim>
   void DirectSolver<dim>::declare_parameters(Parameters &prm)
   {
@@ -17,8 +25,10 @@ namespace Lahar
       "Tolerance", "1e-2", Patterns::Anything(),
       "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
       "0 every system is factorised.");
-    prm.declare_entry("Maximum iterations", "8", Patterns::Anything(),
-                      "Factorise anew when an earlier factorisation needs more GMRES iterations, 1 to 100.");
+    prm.declare_entry(
+      "Maximum iterations", "6", Patterns::Anything(),
+      "Factorise anew when an earlier factorisation needs more GMRES iterations or, by their convergence, will "
+      "need more, 1 to 100.");
     prm.leave_subsection();
   }
 
@@ -256,14 +266,14 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int DirectSolver<dim>::solve(const BlockSystem<dim> &system, const double velocity_scale,
-                                        const double pressure_scale, Vector &solution)
+  unsigned int DirectSolver<dim>::solve(const BlockSystem<dim> &system, const IncrementScales &scales,
+                                        Vector &solution)
   {
     if (tolerance > 0. && whole.pattern == system.pattern_number())
     {
       const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
-        system, [this](const Vector &x, Vector &y) { apply_whole(x, y); }, velocity_scale, pressure_scale,
-        tolerance, max_iterations, solution);
+        system, [this](const Vector &x, Vector &y) { apply_whole(x, y); }, scales,
+        {max_iterations, tolerance, slack}, solution);
       if (n_iterations <= max_iterations)
         return n_iterations;
     }

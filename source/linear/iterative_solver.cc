@@ -104,8 +104,8 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int IterativeSolver<dim>::solve(const BlockSystem<dim> &system, const double velocity_scale,
-                                           const double pressure_scale, Vector &solution)
+  unsigned int IterativeSolver<dim>::solve(const BlockSystem<dim> &system, const IncrementScales &scales,
+                                           Vector &solution)
   {
     for (bool fresh = false; !fresh;)
     {
@@ -122,7 +122,7 @@ namespace Lahar
           pressure_rhs.sadd(-1., 1., x.block(1));
           inverse->inverse_S->vmult(y.block(1), pressure_rhs);
         },
-        velocity_scale, pressure_scale, tolerance, max_iterations, solution);
+        scales, {max_iterations, tolerance}, solution);
       if (fresh)
         inverse->n_fresh_iterations = n_iterations;
       inverse->worn = n_iterations > largest_growth * inverse->n_fresh_iterations;

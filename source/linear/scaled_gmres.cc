@@ -3,10 +3,45 @@
 
 #include <lahar/linear/scaled_gmres.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Lahar
 {
   namespace
   {
+    /// A solution whose residual has not become smaller than this part of the first one is none.
+    constexpr double largest_reduction = 0.3;
+
+    /// Ends GMRES as GmresTargets says.
+    class Control : public SolverControl
+    {
+    public:
+      Control(const GmresTargets &targets, const double first_residual, const double negligible)
+        : SolverControl(targets.max_iterations,
+                        std::max(targets.tolerance * first_residual,
+                                 std::min(negligible, largest_reduction * first_residual)),
+                        false, false)
+        , slack(targets.slack)
+        , first_residual(first_residual)
+      {}
+
+      State check(const unsigned int step, const double residual) override
+      {
+        const State state = SolverControl::check(step, residual);
+        if (slack == 0. || step < 2 || state == success)
+          return state;
+        const double part_done = static_cast<double>(step) / max_steps();
+        if (!(residual <=
+              slack * std::pow(tolerance() / first_residual, part_done) * first_residual)) // or NaN
+          return failure;
+        return step >= max_steps() ? success : iterate;
+      }
+
+    private:
+      const double slack, first_residual;
+    };
+
     /// D⁻¹ P⁻¹ A D: what GMRES sees.
     template <typename Vector>
     struct PreconditionedOperator
@@ -27,13 +62,12 @@ namespace Lahar
     const BlockSystem<dim> &system,
     const std::function<void(const typename BlockSystem<dim>::Vector &, typename BlockSystem<dim>::Vector &)>
       &apply_preconditioner,
-    const double velocity_scale, const double pressure_scale, const double tolerance,
-    const unsigned int max_iterations, typename BlockSystem<dim>::Vector &solution)
+    const IncrementScales &scales, const GmresTargets &targets, typename BlockSystem<dim>::Vector &solution)
   {
     using Vector     = typename BlockSystem<dim>::Vector;
     const auto scale = [&](Vector &vector, const double power) {
-      vector.block(0) *= std::pow(velocity_scale, power);
-      vector.block(1) *= std::pow(pressure_scale, power);
+      vector.block(0) *= std::pow(scales.velocity, power);
+      vector.block(1) *= std::pow(scales.pressure, power);
     };
 
     Vector scaled(solution), product(solution);
@@ -50,8 +84,9 @@ namespace Lahar
     scale(right_hand_side, -1.);
 
     const double norm = right_hand_side.l2_norm();
-    SolverControl control(max_iterations, tolerance * norm, false, false);
-    SolverGMRES<Vector> gmres(control, typename SolverGMRES<Vector>::AdditionalData(max_iterations + 2));
+    Control control(targets, norm, scales.negligible);
+    SolverGMRES<Vector> gmres(control,
+                              typename SolverGMRES<Vector>::AdditionalData(targets.max_iterations + 2));
     solution = 0.;
     try
     {
@@ -60,7 +95,7 @@ namespace Lahar
     }
     catch (const SolverControl::NoConvergence &)
     {
-      return max_iterations + 1;
+      return targets.max_iterations + 1;
     }
     scale(solution, 1.);
     return control.last_step();
@@ -70,10 +105,10 @@ namespace Lahar
 
   template unsigned int solve_by_scaled_gmres<2>(
     const BlockSystem<2> &,
-    const std::function<void(const BlockSystem<2>::Vector &, BlockSystem<2>::Vector &)> &, const double,
-    const double, const double, const unsigned int, BlockSystem<2>::Vector &);
+    const std::function<void(const BlockSystem<2>::Vector &, BlockSystem<2>::Vector &)> &,
+    const IncrementScales &, const GmresTargets &, BlockSystem<2>::Vector &);
   template unsigned int solve_by_scaled_gmres<3>(
     const BlockSystem<3> &,
-    const std::function<void(const BlockSystem<3>::Vector &, BlockSystem<3>::Vector &)> &, const double,
-    const double, const double, const unsigned int, BlockSystem<3>::Vector &);
+    const std::function<void(const BlockSystem<3>::Vector &, BlockSystem<3>::Vector &)> &,
+    const IncrementScales &, const GmresTargets &, BlockSystem<3>::Vector &);
 } // namespace Lahar

@@ -25,6 +25,8 @@ namespace Lahar
     // diag(K) measures the viscous resistance by the mesh size. It is smaller against the smooth flow that a smooth
     // pressure drives, so that only a part of the viscosity enters the diagonal in the Schur complement.
     constexpr double schur_viscosity_weight = 0.05;
+    /// Increments are solved for to this part of the tolerance of the nonlinear iteration.
+    constexpr double negligible_part = 0.1;
   } // namespace
 
 
@@ -94,6 +96,14 @@ namespace Lahar
 
 
   template <int dim>
+  double NonlinearScheme<dim>::negligible_error() const
+  {
+    return negligible_part * tolerance;
+  }
+
+
+
+  template <int dim>
   NonlinearReport NonlinearScheme<dim>::solve(StepProblem<dim> &problem)
   {
     NonlinearReport report;
@@ -139,7 +149,7 @@ namespace Lahar
     linearization.motion     = motion;
     report.momentum_residual = problem.momentum_residual_norm();
     report.mass_residual     = problem.mass_residual_norm();
-    report.linear_iterations += problem.solve();
+    report.linear_iterations += problem.solve(this->negligible_error());
 
     double start = problem.work_along_increment();
     problem.take_step(1.);
@@ -149,7 +159,7 @@ namespace Lahar
       motion_increment *= motion_increment_factor;
       problem.take_step(0.);
       problem.assemble(linearization);
-      report.linear_iterations += problem.solve();
+      report.linear_iterations += problem.solve(this->negligible_error());
       start = problem.work_along_increment();
       problem.take_step(1.);
     }

@@ -197,7 +197,7 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int StepProblem<dim>::solve()
+  unsigned int StepProblem<dim>::solve(const double negligible)
   {
     TimerOutput::Scope scope(timer, "Solve");
     // The size of an increment against which its error counts; before there is any flow, what it will be.
@@ -205,7 +205,7 @@ namespace Lahar
     const double v_scale = std::max(velocity_norm,
                                     gravity.norm() * fluid.state.factors.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
-    const unsigned int n_iterations = linear_solver->solve(system, v_scale, p_scale, solution);
+    const unsigned int n_iterations = linear_solver->solve(system, {v_scale, p_scale, negligible}, solution);
     start_increment();
     return n_iterations;
   }

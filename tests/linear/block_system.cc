@@ -189,7 +189,7 @@ void test()
     parse(solver, "subsection Direct\n set Package = " + package + "\n set Tolerance = 1e-10\nend\n");
     auto solution = system.make_vector();
     example.add_to(system);
-    check(name + package + ": one iteration", solver.solve(system, 1., 1., solution) == 1);
+    check(name + package + ": one iteration", solver.solve(system, {}, solution) == 1);
     check(name + package + ": solution equals LAPACK's", difference<dim>(solution, reference), 1e-11);
 
     Tensor<1, dim> first;
@@ -208,7 +208,7 @@ void test()
         for (double &entry : row)
           entry *= 1. + 1e-3 * random.number();
     changed.add_to(system);
-    const unsigned int n_iterations = solver.solve(system, 10., 0.1, solution);
+    const unsigned int n_iterations = solver.solve(system, {10., 0.1}, solution);
     auto remainder                  = system.make_vector();
     system.matrix().vmult(remainder, solution);
     remainder -= system.right_hand_side();
@@ -222,7 +222,7 @@ void test()
         for (double &entry : row)
           entry *= 1. + 0.9 * random.number();
     changed.add_to(system);
-    solver.solve(system, 1., 1., solution);
+    solver.solve(system, {}, solution);
     system.matrix().vmult(remainder, solution);
     remainder -= system.right_hand_side();
     check(name + package + ": a different matrix", remainder.linfty_norm(), 1e-7);

@@ -87,7 +87,7 @@ void test(const unsigned int n)
   auto reference = system.make_vector(), solution = system.make_vector();
   DirectSolver<dim> direct;
   parse(direct);
-  direct.solve(system, 1., 1., reference);
+  direct.solve(system, {}, reference);
   const double v_scale = reference.block(0).l2_norm(), p_scale = reference.block(1).l2_norm();
 
   for (const std::string preconditioner : {"ML", "ILU"})
@@ -95,7 +95,7 @@ void test(const unsigned int n)
     const std::string entries = "subsection Iterative\n set Preconditioner = " + preconditioner + "\n";
     IterativeSolver<dim> solver;
     parse(solver, entries + " set Tolerance = 1e-9\nend\n");
-    const unsigned int n_iterations = solver.solve(system, v_scale, p_scale, solution);
+    const unsigned int n_iterations = solver.solve(system, {v_scale, p_scale}, solution);
     check(name + preconditioner + ": iterations are counted and few", n_iterations > 1 && n_iterations < 80);
     solution.block(0) -= reference.block(0);
     solution.block(1) -= reference.block(1);

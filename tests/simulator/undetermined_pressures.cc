@@ -68,7 +68,7 @@ int main(int argc, char **argv)
   DirectSolver<2> solver;
   parse(solver);
   auto solution = system.make_vector();
-  solver.solve(system, 1., 1., solution);
+  solver.solve(system, {}, solution);
   const auto velocities = system.velocities(solution);
   const auto pressures  = system.pressures(solution);
   for (unsigned int v = 0; v < 6; ++v)

@@ -16,9 +16,10 @@ namespace Lahar
    * Sparse factorisation of the whole system (Amesos: MUMPS or KLU), the unknowns of a node side by side.
    *
    * A factorisation serves as long as it is a good preconditioner: the next systems of the same pattern are solved by
-   * GMRES, preconditioned from the left by the last factorisation, until that takes more than a few iterations; then
-   * the matrix at hand is factorised. The tolerance is measured in the preconditioned residual, with velocity and
-   * pressure divided by their scales: it bounds the relative error of the increments that the nonlinear scheme checks.
+   * GMRES, preconditioned from the left by the last factorisation, unless that takes or, by its convergence, would take
+   * more than a few iterations; then the matrix at hand is factorised. The tolerance is measured in the preconditioned
+   * residual, with velocity and pressure divided by their scales: it bounds the relative error of the increments that
+   * the nonlinear scheme checks.
    */
   template <int dim>
   class DirectSolver : public LinearSolver<dim>
@@ -29,8 +30,8 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
-                       const double pressure_scale, Vector &solution) override;
+    unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
+                       Vector &solution) override;
 
     unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
 
@@ -58,7 +59,7 @@ namespace Lahar
 
     std::string package         = "Amesos_Mumps";
     double tolerance            = 1e-2;
-    unsigned int max_iterations = 8;
+    unsigned int max_iterations = 6;
     Factorization whole;
   };
 } // namespace Lahar

@@ -34,8 +34,8 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
-                       const double pressure_scale, Vector &solution) override;
+    unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
+                       Vector &solution) override;
 
     unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
 

@@ -8,6 +8,14 @@
 
 namespace Lahar
 {
+  /// How errors of the increments count: the norm of those of velocities and pressures, divided by these scales.
+  struct IncrementScales
+  {
+    double velocity   = 1.; ///< m/s
+    double pressure   = 1.; ///< Pa
+    double negligible = 0.; ///< norms below this do no harm
+  };
+
   /**
    * Solves the block system, at once or block by block.
    *
@@ -25,12 +33,11 @@ namespace Lahar
     /**
      * Solve the coupled system for the right-hand side of @p system.
      *
-     * @param velocity_scale, pressure_scale the sizes (m/s, Pa) against which errors in the two parts are weighed.
      * @return number of Krylov iterations, 1 for a direct solution.
      * @throws RunError if it fails.
      */
-    virtual unsigned int solve(const BlockSystem<dim> &system, const double velocity_scale,
-                               const double pressure_scale, Vector &solution) = 0;
+    virtual unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
+                               Vector &solution) = 0;
 
     /// Solve for one part alone, K x_0 = rhs_0 or S x_1 = rhs_1, S = H − C diag(K)⁻¹ Q. The other part stays as it is.
     virtual unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b,

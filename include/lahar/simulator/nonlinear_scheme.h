@@ -62,6 +62,9 @@ namespace Lahar
       return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance;
     }
 
+    /// Relative error of the increments that the iteration does not notice.
+    double negligible_error() const;
+
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
     ViscosityLinearization viscosity_linearization(const StepProblem<dim> &problem) const;
 

@@ -49,8 +49,11 @@ namespace Lahar
     /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
     void assemble(const Linearization &linearization);
 
-    /// Solve the coupled system for the increments. @return linear iterations.
-    unsigned int solve();
+    /**
+     * Solve the coupled system for the increments; errors of their norms below @p negligible do no harm.
+     * @return linear iterations.
+     */
+    unsigned int solve(const double negligible);
 
     /// Solve for the velocities (@p b = 0) or the pressures (1) alone, see LinearSolver. The other increments are zero.
     unsigned int solve_block(const unsigned int b);
