@@ -3,6 +3,8 @@
 
 column, barrier, refined, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that
           is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, in space.
+rejected, rejected_space: a step that is given up and repeated with half its length leaves, bit for bit, the files of a
+          run that begins with the length that succeeds.
 changed:  harmless parameters may change between the two, others are refused by name.
 damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
           Statistics that are shorter than they were: status 2; none: a warning, and they begin anew.
@@ -56,6 +58,14 @@ BARRIER = COLUMN.replace("0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4", "0, 0.4 : 0, 0 : 0
 REFINED = COLUMN + """
 subsection Remeshing
   set Refined boxes = 0.1, 0 : 0.17, 0.05 : 0.0075
+end
+"""
+
+PLAIN = """
+subsection Remeshing
+  subsection Alpha shape
+    set Rule = plain
+  end
 end
 """
 
@@ -142,6 +152,32 @@ def test_stopped(parent, text):
     process = run(stopped, "--resume")
     check("the last part succeeds", process.returncode == 0, process.out, process.err)
     compare("stopped and resumed", contents(whole), contents(stopped))
+
+
+def test_rejected(parent, text):
+    """Resume a run with steps in which particles move too far, and with the length that they end up with. The plain alpha
+    shape, because the other one looks ahead by the step that is tried first."""
+    first = new_case(parent, "first", text + PLAIN)
+    check("the first part succeeds", run(first, "--set", "End time=0.002").returncode == 0)
+    n_steps = len(contents(first)["statistics"])
+
+    options = ["--resume", "--set", "End time=0.034", "--set", "Output interval=1", "--set", "Largest movement=0.08"]
+    files, n_rejected = {}, {}
+    for name in ["rejected", "shorter"]:
+        case = os.path.join(parent, name)
+        shutil.copytree(first, case)
+        time_step = "32e-3" if name == "rejected" else files["rejected"]["statistics"][n_steps][2]
+        process = run(case, *options, "--set", f"Time step={time_step}")
+        check(f"{name}: status 0", process.returncode == 0, process.out, process.err)
+        files[name] = contents(case)
+        columns = re.findall(r"^# \d+: (.*)$", open(os.path.join(case, "out", "statistics")).read(), re.M)
+        column  = columns.index("Rejected steps")
+        n_rejected[name] = [int(line.pop(column)) for line in files[name]["statistics"][n_steps:]]
+    halvings = n_rejected["rejected"][0] - n_rejected["shorter"][0]
+    check("the first step is given up", halvings > 0, n_rejected)
+    check("no other one more often than in the run with shorter steps",
+          n_rejected["rejected"] == [n + halvings for n in n_rejected["shorter"]], n_rejected)
+    compare("given up", files["shorter"], files["rejected"])
 
 
 def test_changed(parent):
@@ -286,6 +322,8 @@ def main():
     try:
         if group in ("column", "barrier", "refined", "space"):
             test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "space": SPACE}[group])
+        elif group in ("rejected", "rejected_space"):
+            test_rejected(parent, {"rejected": BARRIER, "rejected_space": SPACE}[group])
         else:
             {"changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
     finally:
