@@ -50,7 +50,7 @@ namespace Tests
       for (unsigned int iteration = 1;; ++iteration)
       {
         assemble(viscosity);
-        solver.solve(system, 1., 1., solution);
+        solver.solve(system, {}, solution);
         const auto velocity_increments = system.velocities(solution);
         const auto pressure_increments = system.pressures(solution);
         double largest                 = 0.;
