@@ -119,8 +119,9 @@ void test(const unsigned int n)
 
     IterativeSolver<dim> impatient;
     parse(impatient, entries + " set Maximum iterations = 1\nend\n");
-    check_throws<RunError>(name + preconditioner + ": too many iterations", {"GMRES", "1 iteration"},
-                           [&]() { impatient.solve(system, {v_scale, p_scale}, solution); });
+    check_throws<RunError>(name + preconditioner + ": too many iterations", {"GMRES", "1 iteration"}, [&]() {
+      impatient.solve(system, {v_scale, p_scale}, solution);
+    });
   }
 }
 
