@@ -8,7 +8,7 @@ namespace Lahar
   namespace
   {
     /// A cell keeps this part of its volume in every iteration.
-    constexpr double smallest_part = 0.2;
+    constexpr double smallest_volume_ratio = 0.2;
   } // namespace
 
 
@@ -93,7 +93,7 @@ namespace Lahar
     std::vector<unsigned int> vertices;
     const std::vector<double> to = new_volumes();
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (!(to[c] > smallest_part * from[c]))
+      if (!(to[c] > smallest_volume_ratio * from[c]))
         vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
