@@ -66,8 +66,7 @@ namespace Lahar
 
     constraints.assign(n_nodes, NodeConstraint<dim>());
     local_constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
-    any_skew = false;
-    rhs      = make_vector();
+    rhs = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();
     residuals.resize(node_partition.nodes().size());
@@ -168,9 +167,6 @@ namespace Lahar
     constraints = new_constraints;
     for (unsigned int l = 0; l < local_constraints.size(); ++l)
       local_constraints[l] = constraints[node_partition.nodes()[l]];
-    any_skew = std::any_of(constraints.begin(), constraints.end(), [](const NodeConstraint<dim> &constraint) {
-      return constraint.n_fixed > 0 && constraint.n_fixed < dim;
-    });
   }
 
 
@@ -196,78 +192,20 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::rotate(
-    const Cell &cell, std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
-    std::array<double, n_corners * n_corners> &residual) const
-  {
-    for (unsigned int I = 0; I < n_corners; ++I)
-    {
-      const NodeConstraint<dim> &constraint = local_constraints[cell[I]];
-      if (constraint.n_fixed == 0 || constraint.n_fixed == dim)
-        continue;
-      const unsigned int first = I * n_corners;
-      const auto rotated       = [&](const auto &get, const auto &set) {
-        std::array<double, dim> old;
-        for (unsigned int a = 0; a < dim; ++a)
-          old[a] = get(first + a);
-        for (unsigned int a = 0; a < dim; ++a)
-        {
-          double sum = 0.;
-          for (unsigned int b = 0; b < dim; ++b)
-            sum += constraint.frame[a][b] * old[b];
-          set(first + a, sum);
-        }
-      };
-      for (unsigned int k = 0; k < n_corners * n_corners; ++k)
-        rotated([&](const unsigned int a) { return matrix[a][k]; },
-                [&](const unsigned int a, const double value) { matrix[a][k] = value; });
-      for (unsigned int k = 0; k < n_corners * n_corners; ++k)
-        rotated([&](const unsigned int a) { return matrix[k][a]; },
-                [&](const unsigned int a, const double value) { matrix[k][a] = value; });
-      rotated([&](const unsigned int a) { return residual[a]; },
-              [&](const unsigned int a, const double value) { residual[a] = value; });
-    }
-  }
-
-
-
-  template <int dim>
-  void BlockSystem<dim>::add(
-    const unsigned int k,
-    const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
-    const std::array<double, n_corners * n_corners> &residual)
+  void BlockSystem<dim>::add(const unsigned int k, const LocalMatrix<dim> &matrix,
+                             const LocalVector<dim> &residual)
   {
     const Cell &cell = local_cells[k];
     for (unsigned int I = 0; I < n_corners; ++I)
       for (unsigned int a = 0; a < dim; ++a)
         residuals[cell[I]][a] += residual[I * n_corners + a];
 
-    bool fixed[n_corners * n_corners], any_fixed = false;
+    std::array<const NodeConstraint<dim> *, n_corners> corner_constraints;
     for (unsigned int I = 0; I < n_corners; ++I)
-    {
-      const NodeConstraint<dim> &constraint = local_constraints[cell[I]];
-      for (unsigned int a = 0; a < dim; ++a)
-        fixed[I * n_corners + a] = a < constraint.n_fixed;
-      fixed[I * n_corners + dim] = constraint.fixed_pressure;
-      any_fixed                  = any_fixed || constraint.n_fixed > 0 || constraint.fixed_pressure;
-    }
-
+      corner_constraints[I] = &local_constraints[cell[I]];
     auto local_matrix   = matrix;
     auto local_residual = residual;
-    if (any_fixed)
-    {
-      if (any_skew)
-        rotate(cell, local_matrix, local_residual);
-      for (unsigned int i = 0; i < n_corners * n_corners; ++i)
-        if (fixed[i])
-        {
-          const double diagonal = local_matrix[i][i];
-          for (unsigned int k = 0; k < n_corners * n_corners; ++k)
-            local_matrix[i][k] = local_matrix[k][i] = 0.;
-          local_matrix[i][i] = std::abs(diagonal);
-          local_residual[i]  = 0.;
-        }
-    }
+    eliminate_prescribed<dim>(corner_constraints, local_matrix, local_residual);
 
     for (unsigned int I = 0; I < n_corners; ++I)
     {

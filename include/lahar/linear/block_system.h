@@ -9,6 +9,7 @@
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/vector.h>
 
+#include <lahar/linear/node_constraint.h>
 #include <lahar/linear/node_partition.h>
 
 #include <array>
@@ -17,19 +18,6 @@
 namespace Lahar
 {
   using namespace dealii;
-
-  /**
-   * Which velocity components of a node are prescribed: the first #n_fixed ones in the orthonormal basis whose vectors
-   * are the rows of #frame. A free node has none, a no-slip node all, a node on a slip wall one for each wall normal.
-   * The pressure may be prescribed, too.
-   */
-  template <int dim>
-  struct NodeConstraint
-  {
-    unsigned int n_fixed = 0;
-    Tensor<2, dim> frame = unit_symmetric_tensor<dim>();
-    bool fixed_pressure  = false;
-  };
 
   /**
    * The Trilinos block system of one nonlinear iteration,
@@ -60,7 +48,6 @@ namespace Lahar
     static constexpr unsigned int n_corners = dim + 1;
     using Cell                              = std::array<unsigned int, n_corners>;
     using Vector                            = TrilinosWrappers::MPI::BlockVector;
-    using LocalArray                        = std::array<double, n_corners * n_corners>;
 
     explicit BlockSystem(const MPI_Comm &communicator);
 
@@ -96,9 +83,7 @@ namespace Lahar
      * Add matrix and residual of cell cells()[@p k]. Local unknown (I, component) has the index I (dim+1) + component,
      * component dim is the pressure.
      */
-    void add(const unsigned int k,
-             const std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
-             const std::array<double, n_corners * n_corners> &residual);
+    void add(const unsigned int k, const LocalMatrix<dim> &matrix, const LocalVector<dim> &residual);
 
     /**
      * Add @p matrix and @p residual of solid cell solid_cells()[@p k]; local unknown (I, component) has the index
@@ -215,10 +200,6 @@ namespace Lahar
     std::vector<Tensor<1, dim>> solid_residual() const;
 
   private:
-    void rotate(const Cell &cell,
-                std::array<std::array<double, n_corners * n_corners>, n_corners * n_corners> &matrix,
-                std::array<double, n_corners * n_corners> &residual) const;
-
     std::vector<Tensor<1, dim>> gather(const double *own, const unsigned int n) const;
     void number_unknowns();
     void make_matrices();
@@ -239,7 +220,6 @@ namespace Lahar
     unsigned int n_reinits = 0;
 
     std::vector<NodeConstraint<dim>> constraints, local_constraints;
-    bool any_skew = false;
 
     TrilinosWrappers::BlockSparseMatrix block_matrix;
     Vector rhs;
