@@ -7,6 +7,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// Cells that keep less than this part of their volume in the step leave the derivatives of their geometry out.
+    constexpr double smallest_volume_ratio = 0.7;
+  } // namespace
+
+
+
   template <int dim>
   void FluidAssembler<dim>::declare_parameters(Parameters &prm)
   {
@@ -177,11 +185,12 @@ namespace Lahar
     {
       const unsigned int c = system.cells()[k];
       gather(mesh.cells()[c], state, cell);
-      cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), linearization.motion);
+      const auto corners = corners_of<dim>(mesh.cells()[c], state.position);
+      cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
+      cell.reinit(corners, linearization.motion &&
+                             signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
       if (!(cell.volume > 0.))
         return false;
-      if (cell.moves_implicitly())
-        cell.old_volume = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
       cell.stabilization       = state.stabilization[c];
       cell.residual_projection = Tensor<1, dim>();
       for (const unsigned int v : mesh.cells()[c])

@@ -8,8 +8,10 @@ namespace Lahar
 {
   namespace
   {
-    constexpr double blocked_part            = 0.3;
-    constexpr unsigned int n_blocked_to_hold = 2;
+    // Parts are powers of ½: a quarter and a half, or three halves in a row. A simplex may lose most of its volume in one
+    // increment, so that a vertex that is stopped can go on halving for many iterations.
+    constexpr double smallest_product      = 0.2;
+    constexpr unsigned int n_short_to_hold = 2;
     /// A few are allowed in small meshes too.
     constexpr double largest_held_part      = 0.01;
     constexpr unsigned int n_always_allowed = 1;
@@ -21,8 +23,9 @@ namespace Lahar
   void HeldVertices<dim>::start_step(const std::vector<bool> &new_can_be_held)
   {
     can_be_held = new_can_be_held;
-    is_blocked.assign(can_be_held.size(), false);
-    n_blocked.assign(can_be_held.size(), 0);
+    followed.assign(can_be_held.size(), 1.);
+    n_short.assign(can_be_held.size(), 0);
+    product.assign(can_be_held.size(), 1.);
     n_held = 0;
   }
 
@@ -31,8 +34,7 @@ namespace Lahar
   template <int dim>
   void HeldVertices<dim>::note(const std::vector<double> &lengths)
   {
-    for (unsigned int v = 0; v < is_blocked.size(); ++v)
-      is_blocked[v] = lengths[v] < blocked_part;
+    std::copy_n(lengths.begin(), followed.size(), followed.begin());
   }
 
 
@@ -41,10 +43,12 @@ namespace Lahar
   bool HeldVertices<dim>::update(std::vector<NodeConstraint<dim>> &constraints)
   {
     const unsigned int n_before = n_held;
-    for (unsigned int v = 0; v < is_blocked.size(); ++v)
+    for (unsigned int v = 0; v < followed.size(); ++v)
     {
-      n_blocked[v] = is_blocked[v] ? n_blocked[v] + 1 : 0;
-      if (n_blocked[v] >= n_blocked_to_hold && can_be_held[v])
+      const bool is_short = followed[v] < 1.;
+      n_short[v]          = is_short ? n_short[v] + 1 : 0;
+      product[v]          = is_short ? product[v] * followed[v] : 1.;
+      if (n_short[v] >= n_short_to_hold && product[v] < smallest_product && can_be_held[v])
       {
         can_be_held[v] = false;
         constraints[v] = {dim, unit_symmetric_tensor<dim>(), false};

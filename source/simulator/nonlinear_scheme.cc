@@ -153,7 +153,7 @@ namespace Lahar
 
     double start = problem.work_along_increment();
     problem.take_step(1.);
-    if (problem.was_damped() && motion)
+    if (motion && (problem.was_damped() || start > 0.))
     {
       linearization.motion = motion = false;
       motion_increment *= motion_increment_factor;

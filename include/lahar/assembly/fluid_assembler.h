@@ -22,9 +22,10 @@ namespace Lahar
     struct Linearization
     {
       ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
-      double plastic_weight            = 1.;   ///< factor of the plastic part's derivative
-      double viscosity_weight          = 1.;   ///< factor of the viscosity
-      bool motion                      = true; ///< the dependence of the geometry on the velocity
+      double plastic_weight            = 1.; ///< factor of the plastic part's derivative
+      double viscosity_weight          = 1.; ///< factor of the viscosity
+      /// The dependence of the geometry on the velocity, but of cells that lose much of their volume in the step.
+      bool motion = true;
     };
 
     static void declare_parameters(Parameters &prm);

@@ -10,8 +10,9 @@ namespace Lahar
   /**
    * Fluid vertices that hit what lies behind a flat simplex.
    *
-   * A vertex that can follow less than a third of its increment without flattening a simplex, two iterations in a row,
-   * is held: for the rest of the time step its velocity is prescribed, as that of a wall is.
+   * The vertex can follow a part of each increment only without flattening a simplex. Once the product of these parts,
+   * over two or more iterations in a row, is below a fifth, the vertex is held: for the rest of the time step its
+   * velocity is prescribed, as that of a wall is.
    */
   template <int dim>
   class HeldVertices
@@ -36,8 +37,10 @@ namespace Lahar
     }
 
   private:
-    std::vector<bool> can_be_held, is_blocked;
-    std::vector<unsigned int> n_blocked; ///< iterations in a row
+    std::vector<bool> can_be_held;
+    std::vector<double> followed;      ///< part of the last increment
+    std::vector<unsigned int> n_short; ///< iterations in a row with less than the whole increment
+    std::vector<double> product;       ///< of these iterations' parts
     unsigned int n_held = 0;
   };
 } // namespace Lahar

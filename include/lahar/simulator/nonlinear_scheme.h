@@ -26,8 +26,8 @@ namespace Lahar
    *
    * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
    *   the chosen ViscosityLinearization.
-   *   The derivatives of the geometry are left out while they would flatten cells, and a step that overshoots, as the
-   *   work of the residual along the increment tells, is shortened by a line search.
+   *   The derivatives of the geometry are left out while they would flatten cells or turn the increment uphill, and a step
+   *   that overshoots is shortened by a line search; the work of the residual along the increment tells both.
    * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q,
    *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo
    *   bulk modulus in K; with S no such parameter is needed. In plugs diag(K)⁻¹ says little about K⁻¹: only a part of

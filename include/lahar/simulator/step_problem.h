@@ -95,10 +95,13 @@ namespace Lahar
     /// Set velocities, pressures and geometry. @return false, with nothing changed, if a simplex would be inverted.
     bool set_unknowns(const Vector<double> &unknowns);
 
-    /// δv·R_v of the last assembled residual: negative where going on along the increments lowers the energy.
+    /**
+     * δv·R_v + δp·R_p of the last assembled residual, in W. For the increments of Newton's method and C = −Qᵀ it is
+     * −δv·Kδv − δp·Hδp, negative; it grows along the increments and is zero at the best place on their line.
+     */
     double work_along_increment() const
     {
-      return -(solution.block(0) * system.right_hand_side().block(0));
+      return -(solution * system.right_hand_side());
     }
 
     /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step.
