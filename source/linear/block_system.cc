@@ -52,9 +52,8 @@ namespace Lahar
                           n_ranks > 1 && !positions.empty() ? share_nodes(positions, lists, n_ranks)
                                                             : std::vector<unsigned int>(),
                           lists);
-    own_positions.clear();
-    for (unsigned int l = 0; l < (positions.empty() ? 0 : node_partition.n_own()); ++l)
-      own_positions.push_back(positions[node_partition.nodes()[l]]);
+    own_positions.resize(positions.empty() ? 0 : node_partition.n_own());
+    set_positions(positions);
 
     const std::vector<unsigned int> flat_cells = node_partition.local_cells(0, lists[0]);
     local_cells.resize(flat_cells.size() / n_corners);
@@ -72,6 +71,15 @@ namespace Lahar
     residuals.resize(node_partition.nodes().size());
     solid_residuals.resize(node_partition.nodes().size());
     velocity_diagonals.resize(node_partition.nodes().size());
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::set_positions(const std::vector<Point<dim>> &positions)
+  {
+    for (unsigned int l = 0; l < own_positions.size(); ++l)
+      own_positions[l] = positions[node_partition.nodes()[l]];
   }
 
 

@@ -27,9 +27,11 @@ namespace Lahar
     prm.declare_entry("Preconditioner", "ML", Patterns::Anything(),
                       "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
                       "multigrid) or 'ILU' (incomplete factors).");
-    prm.declare_entry("Tolerance", "1e-3", Patterns::Anything(),
-                      "Tolerance of the preconditioned residual relative to the first one, with velocity and "
-                      "pressure divided by their sizes, 1e-12 to 0.1.");
+    prm.declare_entry(
+      "Tolerance", "1e-3", Patterns::Anything(),
+      "Tolerance of the preconditioned residual relative to the first one, with velocity and "
+      "pressure divided by their sizes, 1e-12 to 0.1. Where the preconditioner is poor, GMRES goes on "
+      "until its estimate of the error is below a tenth of the solution.");
     prm.declare_entry("Maximum iterations", "200", Patterns::Anything(),
                       "A time step in which GMRES needs more iterations has failed, 1 to 1000.");
     prm.leave_subsection();

@@ -1,6 +1,4 @@
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_gmres.h>
-
+#include <lahar/linear/krylov_least_squares.h>
 #include <lahar/linear/scaled_gmres.h>
 
 #include <algorithm>
@@ -12,47 +10,37 @@ namespace Lahar
   {
     /// A solution whose residual has not become smaller than this part of the first one is none.
     constexpr double largest_reduction = 0.3;
+    /// The estimated error may be this part of the solution, or this multiple of IncrementScales::negligible.
+    constexpr double largest_error = 0.1, error_per_negligible = 10.;
 
-    /// Ends GMRES as GmresTargets says.
-    class Control : public SolverControl
+    enum class State
     {
-    public:
-      Control(const GmresTargets &targets, const double first_residual, const double negligible)
-        : SolverControl(targets.max_iterations,
-                        std::max(targets.tolerance * first_residual,
-                                 std::min(negligible, largest_reduction * first_residual)),
-                        false, false)
-        , slack(targets.slack)
-        , first_residual(first_residual)
-      {}
-
-      State check(const unsigned int step, const double residual) override
-      {
-        const State state = SolverControl::check(step, residual);
-        if (slack == 0. || step < 2 || state == success)
-          return state;
-        const double part_done = static_cast<double>(step) / max_steps();
-        if (!(residual <=
-              slack * std::pow(tolerance() / first_residual, part_done) * first_residual)) // or NaN
-          return failure;
-        return step >= max_steps() ? success : iterate;
-      }
-
-    private:
-      const double slack, first_residual;
+      iterate,
+      success,
+      failure
     };
 
-    /// D⁻¹ P⁻¹ A D: what GMRES sees.
-    template <typename Vector>
-    struct PreconditionedOperator
+    State check(const KrylovLeastSquares &problem, const GmresTargets &targets, const double first_residual,
+                const double negligible)
     {
-      std::function<void(Vector &, const Vector &)> apply;
-
-      void vmult(Vector &y, const Vector &x) const
+      const unsigned int k  = problem.n_columns();
+      const double target   = std::max(targets.tolerance * first_residual,
+                                       std::min(negligible, largest_reduction * first_residual)),
+                   residual = problem.residual();
+      if (residual <= target && residual <= problem.smallest_singular_value() *
+                                              std::max(largest_error * problem.solution().l2_norm(),
+                                                       error_per_negligible * negligible))
+        return State::success;
+      if (targets.slack > 0. && k > 1)
       {
-        apply(y, x);
+        const double part_done = static_cast<double>(k) / targets.max_iterations;
+        if (!(residual <= targets.slack * std::pow(target / first_residual, part_done) * first_residual))
+          return State::failure;
+        if (k >= targets.max_iterations)
+          return State::success;
       }
-    };
+      return k < targets.max_iterations && std::isfinite(residual) ? State::iterate : State::failure;
+    }
   } // namespace
 
 
@@ -70,35 +58,49 @@ namespace Lahar
       vector.block(1) *= std::pow(scales.pressure, power);
     };
 
+    solution = 0.;
+    std::vector<Vector> basis(1, solution);
+    apply_preconditioner(system.right_hand_side(), basis[0]);
+    scale(basis[0], -1.);
+    double norm = basis[0].l2_norm();
+    if (norm == 0.)
+      return 0;
+
+    const double first_residual = norm;
+    KrylovLeastSquares problem(first_residual);
     Vector scaled(solution), product(solution);
-    const PreconditionedOperator<Vector> matrix{[&](Vector &y, const Vector &x) {
-      scaled = x;
+    for (State state = State::iterate; state == State::iterate;
+         state       = check(problem, targets, first_residual, scales.negligible))
+    {
+      if (!(norm > 0.)) // the space is exhausted, or a NaN
+        return targets.max_iterations + 1;
+      basis.back() /= norm;
+      scaled = basis.back();
       scale(scaled, 1.);
       system.matrix().vmult(product, scaled);
-      apply_preconditioner(product, y);
-      scale(y, -1.);
-    }};
-
-    Vector right_hand_side(solution);
-    apply_preconditioner(system.right_hand_side(), right_hand_side);
-    scale(right_hand_side, -1.);
-
-    const double norm = right_hand_side.l2_norm();
-    Control control(targets, norm, scales.negligible);
-    SolverGMRES<Vector> gmres(control,
-                              typename SolverGMRES<Vector>::AdditionalData(targets.max_iterations + 2));
-    solution = 0.;
-    try
-    {
-      if (norm != 0.) // a NaN fails in GMRES
-        gmres.solve(matrix, solution, right_hand_side, PreconditionIdentity());
+      Vector next(solution);
+      apply_preconditioner(product, next);
+      scale(next, -1.);
+      // Modified Gram–Schmidt is stable enough for GMRES (Paige, Rozložník & Strakoš 2006).
+      std::vector<double> column;
+      for (const Vector &previous : basis)
+      {
+        column.push_back(next * previous);
+        next.add(-column.back(), previous);
+      }
+      norm = next.l2_norm();
+      column.push_back(norm);
+      problem.add_column(column);
+      basis.push_back(std::move(next));
     }
-    catch (const SolverControl::NoConvergence &)
-    {
+    if (check(problem, targets, first_residual, scales.negligible) == State::failure)
       return targets.max_iterations + 1;
-    }
+
+    const dealii::Vector<double> y = problem.solution();
+    for (unsigned int i = 0; i < problem.n_columns(); ++i)
+      solution.add(y[i], basis[i]);
     scale(solution, 1.);
-    return control.last_step();
+    return problem.n_columns();
   }
 
 

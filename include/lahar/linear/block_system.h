@@ -73,6 +73,9 @@ namespace Lahar
       return node_partition.cells(1);
     }
 
+    /// Tell where the nodes are now, if they were told to reinit(). All ranks call it for all nodes.
+    void set_positions(const std::vector<Point<dim>> &positions);
+
     /// Set what is prescribed, one entry a node.
     void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
 
@@ -113,7 +116,7 @@ namespace Lahar
       return nodes_per_solid_cell > 0;
     }
 
-    /// Where this rank's own nodes were at reinit(); empty if that was not told.
+    /// Where this rank's own nodes are by reinit() or set_positions(); empty if that was not told.
     const std::vector<Point<dim>> &positions() const
     {
       return own_positions;

@@ -8,9 +8,9 @@
 namespace Lahar
 {
   /**
-   * When GMRES ends, with residuals relative to the first one: at #tolerance. If #slack is positive, GMRES gives up
-   * after iteration k > 1 of n = #max_iterations with a residual above slack tolerance^(k/n), and takes what is below
-   * that after the n-th.
+   * When GMRES ends, with residuals relative to the first one: at #tolerance, if the estimated error allows it too. If
+   * #slack is positive, GMRES gives up after iteration k > 1 of n = #max_iterations with a residual above slack
+   * tolerance^(k/n), and takes what is below that after the n-th.
    */
   struct GmresTargets
   {
@@ -25,10 +25,11 @@ namespace Lahar
    *
    *   D⁻¹ P⁻¹ A D y = D⁻¹ P⁻¹ b,   x = D y.
    *
-   * The preconditioned residual is an estimate of the error of the increments, in the measure of the nonlinear scheme:
-   * the better, the better P is.
-   *
-   * Where it has fallen below IncrementScales::negligible and to 0.3 of its first value, the solution is good enough.
+   * The better P is, the better the residual estimates the error of the increments in the measure of the nonlinear
+   * scheme. How good that is, the Krylov space tells: with σ the smallest singular value of its Hessenberg matrix an error
+   * e there leaves a residual of at least σ|e|, so that residual/σ bounds what is hidden from it. GMRES ends at a residual
+   * of the tolerance, or below IncrementScales::negligible and 0.3, once residual/σ is below a tenth of the solution or
+   * ten times IncrementScales::negligible as well.
    *
    * @param apply_preconditioner sets its second argument to P⁻¹ times its first one.
    * @return number of iterations, max_iterations + 1 if they did not suffice; then @p solution is of no use.
