@@ -17,7 +17,7 @@ RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
 CASES = {
-    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.005, 0.003), "diameter": 0.1,
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.005, 0.004, 0.003), "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "huppert": None},
     "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.02, 0.015, 0.01, 0.0075),
