@@ -388,6 +388,7 @@ namespace Lahar
   {
     solid.accept(solids);
     fluid.accept(cloud);
+    linear_solver->forget(); // remeshing and output need the memory
   }
 
 
