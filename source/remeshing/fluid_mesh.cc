@@ -56,8 +56,6 @@ namespace Lahar
     if (has_triangulation)
       return;
     has_triangulation = true;
-    dofs.clear();
-    tria.clear();
     if (vertex_cells.empty())
       return;
 
@@ -169,6 +167,8 @@ namespace Lahar
     for (const unsigned int particle : vertex_to_particle)
       positions.push_back(cloud.position[particle]);
     has_triangulation = false;
+    dofs.clear();
+    tria.clear();
   }
 
 
