@@ -167,15 +167,13 @@ namespace Lahar
     report.pressure_increment = problem.pressure_increment();
     if (this->is_converged(report))
       return;
-    const bool holds_more = problem.hold_blocked_vertices();
+    problem.hold_blocked_vertices();
 
     if (report.velocity_increment < motion_increment)
       linearization.motion = motion = true;
 
     // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
     problem.assemble(linearization);
-    if (holds_more)
-      return;
     double length = 1., end = problem.work_along_increment();
     linearization.plastic_weight = overshoot_weight;
     for (unsigned int trial = 0; trial < n_trial_steps && start < 0. && end > -overshoot * start; ++trial)

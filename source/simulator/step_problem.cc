@@ -245,17 +245,15 @@ namespace Lahar
         velocities[v] = base_velocity[v] + lengths[v] * velocity_change[v];
       set_node_velocities(velocities);
     };
+    move_along();
     damped = false;
-    for (bool any_shorter = true; any_shorter;)
+    for (std::vector<unsigned int> shrinking = fluid.shrinking_vertices(base_volumes); !shrinking.empty();
+         shrinking                           = fluid.shrinking_vertices(base_volumes))
     {
+      damped = true;
+      for (const unsigned int v : shrinking)
+        lengths[v] = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
       move_along();
-      any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(base_volumes))
-        if (lengths[v] > 0.)
-        {
-          any_shorter = damped = true;
-          lengths[v]           = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
-        }
     }
     if (length == 1.)
       held_vertices.note(lengths);
@@ -272,11 +270,11 @@ namespace Lahar
 
 
   template <int dim>
-  bool StepProblem<dim>::hold_blocked_vertices()
+  void StepProblem<dim>::hold_blocked_vertices()
   {
     const std::vector<unsigned int> held = held_vertices.update(constraints);
     if (held.empty())
-      return false;
+      return;
     fix_undetermined_pressures(mesh->cells(), constraints);
     system.set_constraints(constraints);
 
@@ -293,7 +291,11 @@ namespace Lahar
     fluid.shorten_motions(base_volumes, parts, [&](const unsigned int v, const double part) {
       return before[v] + part * (obstacles.at(v) - before[v]);
     });
-    return true;
+    for (const unsigned int v : held) // a shorter step leaves them there
+    {
+      base_velocity[v]   = fluid.state.velocity[v];
+      velocity_change[v] = Tensor<1, dim>();
+    }
   }
 
 

@@ -69,9 +69,8 @@ namespace Lahar
      * End an iteration: vertices that cannot follow their increments are held, see HeldVertices. They go on with the
      * velocity of what they run into, see FluidStep::obstacle_velocities(), as far as no simplex is flattened: the cells
      * in between keep their volume, and nothing has to make up for it.
-     * @return whether there are new ones; then the state is not on the increments' line any more.
      */
-    bool hold_blocked_vertices();
+    void hold_blocked_vertices();
 
     /// Whether increments were halved in the last step.
     bool was_damped() const
