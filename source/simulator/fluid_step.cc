@@ -2,7 +2,6 @@
 #include <lahar/simulator/fluid_step.h>
 
 #include <algorithm>
-#include <set>
 
 namespace Lahar
 {
@@ -99,57 +98,6 @@ namespace Lahar
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
-  }
-
-
-
-  template <int dim>
-  void FluidStep<dim>::shorten_motions(
-    const std::vector<double> &volumes, std::vector<double> &parts,
-    const std::function<Tensor<1, dim>(const unsigned int, const double)> &velocity)
-  {
-    std::vector<Tensor<1, dim>> velocities = state.velocity;
-    for (bool any_shorter = true; any_shorter;)
-    {
-      any_shorter = false;
-      for (const unsigned int v : shrinking_vertices(volumes))
-        if (parts[v] > 0.)
-        {
-          any_shorter   = true;
-          parts[v]      = std::max(0., parts[v] - 0.25);
-          velocities[v] = velocity(v, parts[v]);
-        }
-      if (any_shorter)
-        move(velocities);
-    }
-  }
-
-
-
-  template <int dim>
-  std::map<unsigned int, Tensor<1, dim>>
-  FluidStep<dim>::obstacle_velocities(const std::vector<unsigned int> &vertices) const
-  {
-    const std::set<unsigned int> running(vertices.begin(), vertices.end());
-    std::map<unsigned int, std::vector<unsigned int>> obstacles;
-    const std::vector<double> from = old_volumes(), to = new_volumes();
-    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (to[c] < crushed_volume_ratio * from[c])
-        for (const unsigned int v : mesh->cells()[c])
-          if (running.count(v) > 0)
-            for (const unsigned int other : mesh->cells()[c])
-              if (running.count(other) == 0)
-                obstacles[v].push_back(other);
-
-    std::map<unsigned int, Tensor<1, dim>> velocities;
-    for (const auto &[v, others] : obstacles)
-    {
-      Tensor<1, dim> sum;
-      for (const unsigned int other : others)
-        sum += state.velocity[other];
-      velocities[v] = sum / static_cast<double>(others.size());
-    }
-    return velocities;
   }
 
 

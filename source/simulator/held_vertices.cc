@@ -40,9 +40,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<unsigned int> HeldVertices<dim>::update(std::vector<NodeConstraint<dim>> &constraints)
+  bool HeldVertices<dim>::update(std::vector<NodeConstraint<dim>> &constraints)
   {
-    std::vector<unsigned int> new_ones;
+    const unsigned int n_before = n_held;
     for (unsigned int v = 0; v < followed.size(); ++v)
     {
       const bool is_short = followed[v] < 1.;
@@ -52,13 +52,12 @@ namespace Lahar
       {
         can_be_held[v] = false;
         constraints[v] = {dim, unit_symmetric_tensor<dim>(), false};
-        new_ones.push_back(v);
+        ++n_held;
       }
     }
-    n_held += new_ones.size();
     if (n_held > std::max<double>(n_always_allowed, largest_held_part * constraints.size()))
       throw RunError("flat simplices stop the flow at " + std::to_string(n_held) + " vertices");
-    return new_ones;
+    return n_held > n_before;
   }
 
 

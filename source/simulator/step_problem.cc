@@ -78,13 +78,21 @@ namespace Lahar
     set_node_velocities(velocities);
     // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
     // nothing is. Walls and solids keep their velocities; a driven solid may leave no room.
-    std::vector<double> parts(mesh->n_vertices());
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      parts[v] = constraints[v].n_fixed < dim ? 1. : 0.;
-    fluid.shorten_motions(fluid.old_volumes(), parts, [&](const unsigned int v, const double part) {
-      return fluid.slowed_velocity(v, part);
-    });
-    set_node_velocities(node_velocities());
+    std::vector<double> motion(mesh->n_vertices(), 1.);
+    const std::vector<double> old_volumes = fluid.old_volumes();
+    for (bool any_shorter = true; any_shorter;)
+    {
+      any_shorter = false;
+      for (const unsigned int v : fluid.shrinking_vertices(old_volumes))
+        if (constraints[v].n_fixed < dim && motion[v] > 0.)
+        {
+          any_shorter   = true;
+          motion[v]     = std::max(0., motion[v] - 0.25);
+          velocities[v] = fluid.slowed_velocity(v, motion[v]);
+        }
+      if (any_shorter)
+        set_node_velocities(velocities);
+    }
     set_norms();
   }
 
@@ -93,21 +101,19 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud)
   {
-    std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
-    solid.get_positions(positions);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      positions[v] = cloud.position[mesh->particle(v)];
     if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
     {
       TimerOutput::Scope scope(timer, "Set up system");
       numbered_cells       = mesh->cells();
       numbered_solid_nodes = solid.nodes();
+      std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
+      solid.get_positions(positions);
+      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+        positions[v] = cloud.position[mesh->particle(v)];
       system.reinit(mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
                     solid.nodes_per_cell(), positions);
       solution = system.make_vector();
     }
-    else
-      system.set_positions(positions);
     system.set_constraints(constraints);
   }
 
@@ -272,29 +278,10 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::hold_blocked_vertices()
   {
-    const std::vector<unsigned int> held = held_vertices.update(constraints);
-    if (held.empty())
-      return;
-    fix_undetermined_pressures(mesh->cells(), constraints);
-    system.set_constraints(constraints);
-
-    const std::vector<Tensor<1, dim>> before = node_velocities();
-    const auto obstacles                     = fluid.obstacle_velocities(held);
-    std::vector<Tensor<1, dim>> velocities   = before;
-    std::vector<double> parts(mesh->n_vertices(), 0.);
-    for (const auto &[v, velocity] : obstacles)
+    if (held_vertices.update(constraints))
     {
-      parts[v]      = 1.;
-      velocities[v] = velocity;
-    }
-    set_node_velocities(velocities);
-    fluid.shorten_motions(base_volumes, parts, [&](const unsigned int v, const double part) {
-      return before[v] + part * (obstacles.at(v) - before[v]);
-    });
-    for (const unsigned int v : held) // a shorter step leaves them there
-    {
-      base_velocity[v]   = fluid.state.velocity[v];
-      velocity_change[v] = Tensor<1, dim>();
+      fix_undetermined_pressures(mesh->cells(), constraints);
+      system.set_constraints(constraints);
     }
   }
 

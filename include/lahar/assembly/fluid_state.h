@@ -10,9 +10,6 @@
 
 namespace Lahar
 {
-  /// A cell that keeps less than this part of its volume in a step is crushed.
-  constexpr double crushed_volume_ratio = 0.7;
-
   /**
    * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
    * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in

@@ -5,8 +5,6 @@
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/simulator/time_integration.h>
 
-#include <functional>
-#include <map>
 #include <vector>
 
 namespace Lahar
@@ -50,20 +48,6 @@ namespace Lahar
 
     /// The vertices of cells that are inverted or have less than a fifth of the volumes @p from, ascending.
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
-
-    /**
-     * Where cells keep less than a fifth of @p volumes, lower the @p parts (by vertex) of their vertices in quarters and
-     * set these vertices' velocities to @p velocity(vertex, part), until no cell does or all such parts are zero.
-     */
-    void shorten_motions(const std::vector<double> &volumes, std::vector<double> &parts,
-                         const std::function<Tensor<1, dim>(const unsigned int, const double)> &velocity);
-
-    /**
-     * The velocity of what each of the @p vertices runs into: the mean of the other corners, none of the @p vertices, of
-     * its crushed cells, see crushed_volume_ratio. Vertices without such corners are left out.
-     */
-    std::map<unsigned int, Tensor<1, dim>>
-    obstacle_velocities(const std::vector<unsigned int> &vertices) const;
 
     /// Write the end of the step to the mesh's particles.
     void accept(ParticleCloud<dim> &cloud) const;

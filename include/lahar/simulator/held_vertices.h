@@ -12,7 +12,7 @@ namespace Lahar
    *
    * The vertex can follow a part of each increment only without flattening a simplex. Once the product of these parts,
    * over two or more iterations in a row, is below a fifth, the vertex is held: for the rest of the time step its
-   * velocity is prescribed, as that of a wall is; which one is the caller's to say.
+   * velocity is prescribed, as that of a wall is.
    */
   template <int dim>
   class HeldVertices
@@ -26,10 +26,10 @@ namespace Lahar
 
     /**
      * Hold vertices after an iteration: fix their velocities in @p constraints (by node).
-     * @return the new ones.
+     * @return whether there are new ones.
      * @throws RunError if more than one in a hundred are held.
      */
-    std::vector<unsigned int> update(std::vector<NodeConstraint<dim>> &constraints);
+    bool update(std::vector<NodeConstraint<dim>> &constraints);
 
     unsigned int number() const
     {

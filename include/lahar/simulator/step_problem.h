@@ -65,11 +65,7 @@ namespace Lahar
      */
     void take_step(const double length);
 
-    /**
-     * End an iteration: vertices that cannot follow their increments are held, see HeldVertices. They go on with the
-     * velocity of what they run into, see FluidStep::obstacle_velocities(), as far as no simplex is flattened: the cells
-     * in between keep their volume, and nothing has to make up for it.
-     */
+    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices.
     void hold_blocked_vertices();
 
     /// Whether increments were halved in the last step.
