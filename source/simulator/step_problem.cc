@@ -101,19 +101,21 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud)
   {
+    std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
+    solid.get_positions(positions);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      positions[v] = cloud.position[mesh->particle(v)];
     if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
     {
       TimerOutput::Scope scope(timer, "Set up system");
       numbered_cells       = mesh->cells();
       numbered_solid_nodes = solid.nodes();
-      std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
-      solid.get_positions(positions);
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        positions[v] = cloud.position[mesh->particle(v)];
       system.reinit(mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
                     solid.nodes_per_cell(), positions);
       solution = system.make_vector();
     }
+    else
+      system.set_positions(positions);
     system.set_constraints(constraints);
   }
 
@@ -251,15 +253,17 @@ namespace Lahar
         velocities[v] = base_velocity[v] + lengths[v] * velocity_change[v];
       set_node_velocities(velocities);
     };
-    move_along();
     damped = false;
-    for (std::vector<unsigned int> shrinking = fluid.shrinking_vertices(base_volumes); !shrinking.empty();
-         shrinking                           = fluid.shrinking_vertices(base_volumes))
+    for (bool any_shorter = true; any_shorter;)
     {
-      damped = true;
-      for (const unsigned int v : shrinking)
-        lengths[v] = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
       move_along();
+      any_shorter = false;
+      for (const unsigned int v : fluid.shrinking_vertices(base_volumes))
+        if (lengths[v] > 0.)
+        {
+          any_shorter = damped = true;
+          lengths[v]           = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
+        }
     }
     if (length == 1.)
       held_vertices.note(lengths);

@@ -1,6 +1,7 @@
 // Test the least-squares problem of GMRES, column by column, on a random Hessenberg matrix: the solution has a residual
 // orthogonal to the columns, of the norm told; the smallest singular value is that of the normal equations.
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <lahar/linear/krylov_least_squares.h>
