@@ -69,8 +69,8 @@ namespace Lahar
     const double first_residual = norm;
     KrylovLeastSquares problem(first_residual);
     Vector scaled(solution), product(solution);
-    for (State state = State::iterate; state == State::iterate;
-         state       = check(problem, targets, first_residual, scales.negligible))
+    State state = State::iterate;
+    for (; state == State::iterate; state = check(problem, targets, first_residual, scales.negligible))
     {
       if (!(norm > 0.)) // the space is exhausted, or a NaN
         return targets.max_iterations + 1;
@@ -93,7 +93,7 @@ namespace Lahar
       problem.add_column(column);
       basis.push_back(std::move(next));
     }
-    if (check(problem, targets, first_residual, scales.negligible) == State::failure)
+    if (state == State::failure)
       return targets.max_iterations + 1;
 
     const dealii::Vector<double> y = problem.solution();
