@@ -17,10 +17,10 @@ RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
 CASES = {
-    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.005, 0.004, 0.003), "diameter": 0.1,
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.004, 0.0029), "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "huppert": None},
-    "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.02, 0.015, 0.01, 0.0075),
+    "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.01, 0.0075),
                "diameter": 0.2, "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
                # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
                "huppert": 1.788 * (2200. * 9.81 * 5.497787e-3**3 / (3. * 255.))**0.125},

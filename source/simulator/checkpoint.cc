@@ -13,9 +13,11 @@ namespace Lahar
   namespace
   {
     /// Entries, and subsections of such, that may change when a run is resumed.
-    const std::vector<std::string> changeable = {"Output directory",  "End time",          "Time step",
-                                                 "Minimum time step", "Largest movement",  "Output interval",
-                                                 "Checkpoint/",       "Nonlinear solver/", "Linear solver/"};
+    const std::vector<std::string> changeable = {"Output directory",  "End time",
+                                                 "Time step",         "Minimum time step",
+                                                 "Maximum time step", "Largest movement",
+                                                 "Output interval",   "Checkpoint/",
+                                                 "Nonlinear solver/", "Linear solver/"};
   } // namespace
 
 

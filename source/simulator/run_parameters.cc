@@ -18,6 +18,10 @@ namespace Lahar
       "A step that fails is repeated in halves down to this length in s, then the run stops; 0 means a "
       "sixty-fourth of the time step.");
     prm.declare_entry(
+      "Maximum time step", "0", Patterns::Anything(),
+      "Where the flow is slow, steps become longer than the time step, up to this length in s, so far as "
+      "no particle of the mesh moves by more than a tenth of its spacing; 0 means the time step.");
+    prm.declare_entry(
       "Largest movement", "2", Patterns::Anything(),
       "How far particles of the mesh may move in a step, in units of their spacing, above zero. "
       "Where they are faster, the step is halved; if they accelerate to twice as much within a "
@@ -57,6 +61,12 @@ namespace Lahar
       prm.throw_wrong_value("Minimum time step", "at most 'Time step', which is " + prm.get("Time step"));
     if (minimum_time_step == 0.)
       minimum_time_step = time_step / 64.;
+    maximum_time_step = prm.get_positive("Maximum time step", true);
+    if (maximum_time_step == 0.)
+      maximum_time_step = time_step;
+    if (maximum_time_step < time_step)
+      prm.throw_wrong_value("Maximum time step",
+                            "0 or at least 'Time step', which is " + prm.get("Time step"));
     // Times are sums of steps: each must change them.
     const double latest = std::max(std::abs(start_time), std::abs(end_time));
     if (minimum_time_step < 1e-14 * latest)

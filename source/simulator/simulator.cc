@@ -59,7 +59,7 @@ namespace Lahar
     remesher.parse_parameters(prm);
     scheme       = NonlinearScheme<dim>::create(prm);
     step_control = std::make_unique<StepControl>(parameters.time_step, parameters.minimum_time_step,
-                                                 scheme->max_iterations());
+                                                 parameters.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
     postprocessors = Postprocessor<dim>::create_all(prm);
   }
@@ -169,7 +169,7 @@ namespace Lahar
       step(step_control->next(time,
                               parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
                                                               : parameters.end_time,
-                              parameters.largest_movement / fastest_movement()));
+                              fastest_movement(), parameters.largest_movement));
       cell_steps += fluid_mesh.n_cells();
 
       TimerOutput::Scope scope(timer, "Output");

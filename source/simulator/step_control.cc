@@ -1,7 +1,5 @@
 #include <lahar/simulator/step_control.h>
 
-#include <algorithm>
-
 namespace Lahar
 {
   namespace
@@ -9,23 +7,30 @@ namespace Lahar
     constexpr double easy_part              = 0.4;
     constexpr unsigned int n_easy_to_grow   = 3;
     constexpr double rest_that_joins_a_step = 0.01;
+    /// No particle moves by more than this times its spacing in a step longer than usual.
+    constexpr double movement_in_long_steps = 0.1;
   } // namespace
 
 
 
-  StepControl::StepControl(const double largest, const double smallest, const unsigned int maximum_iterations)
-    : largest(largest)
+  StepControl::StepControl(const double usual, const double smallest, const double largest,
+                           const unsigned int maximum_iterations)
+    : usual(usual)
     , smallest(smallest)
-    , present(largest)
+    , largest(largest)
+    , present(usual)
     , easy_iterations(easy_part * maximum_iterations)
   {}
 
 
 
-  double StepControl::next(const double time, const double stop, const double limit) const
+  double StepControl::next(const double time, const double stop, const double fastest,
+                           const double largest_movement) const
   {
     double length = present;
-    while (length > limit && 0.5 * length >= smallest)
+    if (length > usual)
+      length = std::max(usual, std::min(length, movement_in_long_steps / fastest));
+    while (length * fastest > largest_movement && 0.5 * length >= smallest)
       length *= 0.5;
     return time + (1. + rest_that_joins_a_step) * length > stop ? stop - time : length;
   }

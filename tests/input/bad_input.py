@@ -114,6 +114,7 @@ def test_refused():
     for entry, value in [("Dimension", "4"), ("Dimension", "two"), ("Remeshing/Keep volume", "yes"), ("Mesh size", "0"), ("Mesh size", "-0.01"),
                          ("Mesh size", "small"), ("Mesh size", "nan"), ("Time step", "0"), ("Time step", "1e-3 s"),
                          ("Time step", "inf"), ("End time", "0"), ("End time", "-1"), ("Minimum time step", "1"),
+                         ("Maximum time step", "1e-4"), ("Maximum time step", "-1"),
                          ("Largest movement", "0"), ("Remeshing/Domain", "0, 0 : 0.1, 0.1"), ("Remeshing/Domain", "0, 0"),
                          ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1"), ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1 : 1"), ("Remeshing/Refined boxes", "0, 0 : 0, 0.1 : 1e-3"),
                          ("Checkpoint/Steps between", "0.5"), ("Checkpoint/Minutes between", "-1"),

@@ -15,6 +15,7 @@ namespace Lahar
     double end_time          = 0.; ///< s
     double time_step         = 0.; ///< s
     double minimum_time_step = 0.; ///< s
+    double maximum_time_step = 0.; ///< s
     double largest_movement  = 0.; ///< of a particle in a step, in units of its spacing
     double mesh_size         = 0.; ///< m
     double output_interval   = 0.; ///< s; zero: every step
