@@ -8,6 +8,8 @@ import sys
 import numpy as np
 from benchmark_table import divide, state_if_unfinished, worst_changes, write_table
 from figure_style import WIDTH, finish_axes, plt, save, use_style
+from thin_layer import NEXT_ORDER, Cone
+from thin_layer import spread as thin_layer_spread
 
 CASE = "slump"
 TIME = "Time (s)"
@@ -19,9 +21,10 @@ RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 CASES = {
     "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.004, 0.0029), "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
-             "times": ("0", "0.1", "5"), "huppert": None},
+             "times": ("0", "0.1", "5"), "cone": Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182), "huppert": None},
     "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.01, 0.0075),
                "diameter": 0.2, "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
+               "cone": Cone(0.3, 0.1, 0.05, 2200., 255., 32.),
                # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
                "huppert": 1.788 * (2200. * 9.81 * 5.497787e-3**3 / (3. * 255.))**0.125},
 }
@@ -70,8 +73,11 @@ def draw_spread(name, chosen, path):
     for label, diameter, dash in case["lines"]:
         axes.axhline(diameter, color="0.35", linewidth=1, linestyle=dash, label=label)
     end = max(results.column(TIME)[-1] for results in chosen)
+    times = np.linspace(0.02 * end, end, 200)
+    for order, label, dash in ((0., "lubrication theory in time", (0, (5, 1.5))), (NEXT_ORDER, "its next order", "-.")):
+        axes.plot(times, thin_layer_spread(case["cone"], times, order, n_rings=150, rings_until=2. * case["diameter"]),
+                  color="0.15", linewidth=1, linestyle=dash, label=label)
     if case["huppert"]:
-        times = np.linspace(0.02 * end, end, 200)
         axes.plot(times, case["huppert"] * times**0.125, color="0.65", linewidth=1,
                   label="viscous layer without yield stress (upper bound)")
     for results in chosen:
