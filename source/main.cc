@@ -9,6 +9,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -83,9 +84,10 @@ namespace
 
 
 
-  /// Set the entry "Section/Subsection/Entry" to a value.
-  void override_entry(Parameters &prm, const std::string &text)
+  /// Set the entry "Section/Subsection/Entry" to a value, which may be on several lines.
+  void override_entry(Parameters &prm, std::string text)
   {
+    std::replace(text.begin(), text.end(), '\n', ' ');
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw InputError("Option --set is '" + text + "'. Allowed: \"Section/Subsection/Entry=value\".");

@@ -361,7 +361,7 @@ def test_computed():
     for smallest, front in [("1", 0.56), ("40", 0.146)]:
         with tempfile.TemporaryDirectory() as directory:
             result = run(directory, "case.prm", *set_entry("End time", "1e-3"),
-                         *set_entry("Geometry/Fluid boxes", "0, 0 : 0.146, 0.292; 0.5, 0.2 : 0.56, 0.26"),
+                         *set_entry("Geometry/Fluid boxes", "0, 0 : 0.146, 0.292;\n  0.5, 0.2 : 0.56, 0.26"),
                          *set_entry("Postprocess/Fluid extents/Smallest part", smallest))
             columns, rows = read_statistics(os.path.join(directory, "out", "statistics"))
             found = rows[-1][columns.index("front (m)")]
