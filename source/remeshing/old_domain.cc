@@ -88,8 +88,28 @@ namespace Lahar
 
 
   template <int dim>
+  bool OldDomain<dim>::has_cell(const Simplex<dim> &simplex) const
+  {
+    Simplex<dim> old_corners;
+    for (unsigned int c = 0; c <= dim; ++c)
+    {
+      const auto [seed, other_parent] = seeds[simplex[c]];
+      if (seed == numbers::invalid_unsigned_int || seed != other_parent)
+        return false;
+      old_corners[c] = seed;
+    }
+    const std::vector<unsigned int> &candidates = cells_of[old_corners[0]];
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](const unsigned int cell) { return cells[cell].corners == old_corners; });
+  }
+
+
+
+  template <int dim>
   bool OldDomain<dim>::contains(const Simplex<dim> &simplex, const Point<dim> &point) const
   {
+    if (has_cell(simplex))
+      return true;
     std::vector<unsigned int> first_ring;
     for (const unsigned int particle : simplex)
       for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})

@@ -35,21 +35,36 @@ namespace Lahar
     std::vector<ChangedCell<dim>> find_changes(const OldDomain<dim> &old_domain, const FluidMesh<dim> &mesh,
                                                const ParticleCloud<dim> &cloud)
     {
-      std::vector<ChangedCell<dim>> all, changed;
-      for (const auto &[corners, volume] : old_domain.renumbered_cells(cloud.size()))
-        all.push_back({sorted<dim>(corners), -volume});
-      for (const Simplex<dim> &cell : mesh.particle_cells())
-        all.push_back({sorted<dim>(cell), signed_volume<dim>(corners_of<dim>(cell, cloud.position))});
-      std::sort(all.begin(), all.end(),
-                [](const ChangedCell<dim> &a, const ChangedCell<dim> &b) { return a.corners < b.corners; });
-      for (unsigned int i = 0; i < all.size(); ++i)
-        if (i + 1 < all.size() && all[i].corners == all[i + 1].corners &&
-            std::abs(all[i].volume + all[i + 1].volume) < 1e-10 * std::abs(all[i].volume))
-          ++i;
-        else
-          changed.push_back(all[i]);
+      std::vector<ChangedCell<dim>> changed;
+      const auto volume_of = [&](const Simplex<dim> &cell) {
+        return signed_volume<dim>(corners_of<dim>(cell, cloud.position));
+      };
+      // Both meshes' cells are sorted, and particles keep their order when they are renumbered, so what is in both is
+      // found in one pass, once the old cells with removed corners are out of the way.
+      const std::vector<Simplex<dim>> &cells = mesh.particle_cells();
+      auto cell                              = cells.begin();
+      for (const auto &[old_cell, old_volume] : old_domain.renumbered_cells(cloud.size()))
+      {
+        if (*std::max_element(old_cell.begin(), old_cell.end()) < cloud.size())
+        {
+          for (; cell != cells.end() && *cell < old_cell; ++cell)
+            changed.push_back({sorted<dim>(*cell), volume_of(*cell)});
+          if (cell != cells.end() && *cell == old_cell)
+          {
+            const double volume = volume_of(*cell++);
+            if (std::abs(volume - old_volume) < 1e-10 * old_volume)
+              continue;
+            changed.push_back({sorted<dim>(old_cell), volume});
+          }
+        }
+        changed.push_back({sorted<dim>(old_cell), -old_volume});
+      }
+      for (; cell != cells.end(); ++cell)
+        changed.push_back({sorted<dim>(*cell), volume_of(*cell)});
       return changed;
     }
+
+
 
     /// The patches: changed cells joined across common faces. @return the patch of each changed cell.
     template <int dim>

@@ -42,8 +42,8 @@ namespace Lahar
     bool joins(const Simplex<dim> &simplex) const;
 
     /**
-     * Whether the simplex of the given particles was fluid: its centroid lies in one of the old cells around its
-     * corners or in one of the cells around those.
+     * Whether the simplex of the given particles was fluid: it is one of the old cells, or its centroid lies in one of
+     * those around its corners or in one of the cells around these.
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
@@ -62,6 +62,8 @@ namespace Lahar
       double volume;
     };
 
+    /// Whether the simplex, its corners in canonical() order, is one of the cells; renumbering keeps that order.
+    bool has_cell(const Simplex<dim> &simplex) const;
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;
     bool share_cell(const unsigned int a, const unsigned int b) const;
 
