@@ -35,7 +35,8 @@ def finish_axes(axes, legend="best", **labels):
 
 
 def save(figure, path):
-    """Write @p figure in the format that the ending of @p path names."""
+    """Write @p figure in the format that the ending of @p path names; the folder is made if need be."""
+    pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
     try:
         figure.savefig(path, bbox_inches="tight", pad_inches=0.05)
     except ValueError as error:
