@@ -40,7 +40,11 @@ class Cone:
 
 
 def spread(cone, times, order=NEXT_ORDER, n_rings=200, rings_until=None):
-    """Diameters (m) at the ascending @p times (s), by finite volumes on rings up to the radius @p rings_until (m)."""
+    """Diameters (m) at the ascending @p times (s), by explicit finite volumes on @p n_rings rings up to the radius
+    @p rings_until (m; by default five times that of the base), which the layer must not reach.
+
+    @p order is the factor c above: 0 or NEXT_ORDER. The time taken grows with the cube of the number of rings.
+    """
     weight = cone.density * GRAVITY
     width = (rings_until or 5. * cone.base_radius) / n_rings
     edges = width * np.arange(n_rings + 1)
