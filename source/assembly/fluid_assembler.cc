@@ -179,11 +179,11 @@ namespace Lahar
     cell.gravity = gravity;
     cell.factors = state.factors;
 
+    AssertDimension(mesh.n_cells(), system.cells().size());
     system.set_zero();
     auto face = mesh.boundary_faces().begin();
-    for (unsigned int k = 0; k < system.cells().size(); ++k)
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      const unsigned int c = system.cells()[k];
       gather(mesh.cells()[c], state, cell);
       const auto corners = corners_of<dim>(mesh.cells()[c], state.position);
       cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
@@ -213,7 +213,7 @@ namespace Lahar
         if (face->cell == c && face->free_surface && stabilization == Stabilization::fic)
           fic_free_surface.assemble(cell, face->opposite, cell_system);
 
-      system.add(k, cell_system.matrix, cell_system.residual);
+      system.add(c, cell_system.matrix, cell_system.residual);
     }
     return true;
   }

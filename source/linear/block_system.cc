@@ -63,8 +63,7 @@ namespace Lahar
     number_unknowns();
     make_matrices();
 
-    constraints.assign(n_nodes, NodeConstraint<dim>());
-    local_constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
+    constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
     rhs = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();
@@ -171,10 +170,8 @@ namespace Lahar
   template <int dim>
   void BlockSystem<dim>::set_constraints(const std::vector<NodeConstraint<dim>> &new_constraints)
   {
-    AssertDimension(new_constraints.size(), n_nodes());
+    AssertDimension(new_constraints.size(), node_partition.nodes().size());
     constraints = new_constraints;
-    for (unsigned int l = 0; l < local_constraints.size(); ++l)
-      local_constraints[l] = constraints[node_partition.nodes()[l]];
   }
 
 
@@ -210,7 +207,7 @@ namespace Lahar
 
     std::array<const NodeConstraint<dim> *, n_corners> corner_constraints;
     for (unsigned int I = 0; I < n_corners; ++I)
-      corner_constraints[I] = &local_constraints[cell[I]];
+      corner_constraints[I] = &constraints[cell[I]];
     auto local_matrix   = matrix;
     auto local_residual = residual;
     eliminate_prescribed<dim>(corner_constraints, local_matrix, local_residual);
@@ -271,9 +268,9 @@ namespace Lahar
     {
       for (unsigned int a = 0; a < dim; ++a)
         solid_residuals[cell[I]][a] += residual[I * dim + a];
-      Assert(local_constraints[cell[I]].n_fixed == 0 || local_constraints[cell[I]].n_fixed == dim,
+      Assert(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
              ExcMessage("A solid's node is free or has its whole velocity prescribed."));
-      if (local_constraints[cell[I]].n_fixed == dim)
+      if (constraints[cell[I]].n_fixed == dim)
         for (unsigned int a = 0; a < dim; ++a)
         {
           const unsigned int i  = I * dim + a;
@@ -313,7 +310,7 @@ namespace Lahar
     if (l >= node_partition.n_own())
       return;
     solid_residuals[l] += residual;
-    if (constraints[node].n_fixed == 0)
+    if (constraints[l].n_fixed == 0)
       for (unsigned int a = 0; a < dim; ++a)
         rhs_values[0][dim * l + a] -= residual[a];
   }
@@ -342,25 +339,18 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> BlockSystem<dim>::gather(const double *own, const unsigned int n) const
-  {
-    const std::vector<double> values = node_partition.gather(own, dim, n);
-    std::vector<Tensor<1, dim>> result(n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int a = 0; a < dim; ++a)
-        result[i][a] = values[dim * i + a];
-    return result;
-  }
-
-
-
-  template <int dim>
   std::vector<Tensor<1, dim>> BlockSystem<dim>::velocities(const Vector &solution) const
   {
-    std::vector<Tensor<1, dim>> result = gather(solution.block(0).begin(), n_nodes());
-    for (unsigned int i = 0; i < n_nodes(); ++i)
-      if (constraints[i].n_fixed > 0 && constraints[i].n_fixed < dim)
-        result[i] = transpose(constraints[i].frame) * result[i];
+    std::vector<Tensor<1, dim>> result(node_partition.nodes().size());
+    const double *value = solution.block(0).begin();
+    for (unsigned int l = 0; l < node_partition.n_own(); ++l)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        result[l][a] = *value++;
+      if (constraints[l].n_fixed > 0 && constraints[l].n_fixed < dim)
+        result[l] = transpose(constraints[l].frame) * result[l];
+    }
+    node_partition.update(result);
     return result;
   }
 
@@ -369,23 +359,14 @@ namespace Lahar
   template <int dim>
   std::vector<double> BlockSystem<dim>::pressures(const Vector &solution) const
   {
-    return node_partition.gather(solution.block(1).begin(), 1, n_pressures);
-  }
-
-
-
-  template <int dim>
-  std::vector<Tensor<1, dim>> BlockSystem<dim>::momentum_residual() const
-  {
-    return gather(reinterpret_cast<const double *>(residuals.data()), n_pressures);
-  }
-
-
-
-  template <int dim>
-  std::vector<Tensor<1, dim>> BlockSystem<dim>::solid_residual() const
-  {
-    return gather(reinterpret_cast<const double *>(solid_residuals.data()), n_nodes());
+    std::vector<double> by_node(node_partition.nodes().size(), 0.), result;
+    const double *value = solution.block(1).begin();
+    for (unsigned int number = 0; number < n_own_pressures; ++number)
+      by_node[local_numbers[number]] = value[number];
+    node_partition.update(by_node);
+    for (const unsigned int l : local_numbers)
+      result.push_back(by_node[l]);
+    return result;
   }
 
 

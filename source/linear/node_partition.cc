@@ -9,6 +9,7 @@ namespace Lahar
 {
   NodePartition::NodePartition(const MPI_Comm &communicator)
     : mpi_communicator(communicator)
+    , exchange(communicator)
   {}
 
 
@@ -40,6 +41,19 @@ namespace Lahar
     local_numbers.assign(n_nodes, numbers::invalid_unsigned_int);
     for (unsigned int l = 0; l < global_numbers.size(); ++l)
       local_numbers[global_numbers[l]] = l;
+
+    // An owner's local number of a node is the node's place among all that it owns.
+    std::vector<unsigned int> halo_owners, halo_numbers;
+    for (unsigned int l = n_own_nodes; l < global_numbers.size(); ++l)
+    {
+      const unsigned int owner = owners[global_numbers[l]];
+      const auto first         = by_owner.begin() + first_of_rank[owner];
+      halo_owners.push_back(owner);
+      halo_numbers.push_back(
+        std::lower_bound(first, by_owner.begin() + first_of_rank[owner + 1], global_numbers[l]) - first);
+    }
+    if (n_ranks > 1)
+      exchange.reinit(n_own_nodes, halo_owners, halo_numbers);
   }
 
 
@@ -91,31 +105,53 @@ namespace Lahar
 
 
   std::vector<double> NodePartition::gather(const double *own, const unsigned int n_components,
-                                            const unsigned int n_nodes) const
+                                            const Ranges &ranges) const
   {
-    const unsigned int n_ranks = first_of_rank.size() - 1;
+    const unsigned int n_ranks = first_of_rank.size() - 1,
+                       rank    = Utilities::MPI::this_mpi_process(mpi_communicator);
+    // A rank's nodes in a range are neighbours in its order.
+    const auto pieces_of = [&](const unsigned int r) {
+      Ranges pieces; // places in by_owner
+      for (const auto &[first, last] : ranges)
+        pieces.emplace_back(std::lower_bound(by_owner.begin() + first_of_rank[r],
+                                             by_owner.begin() + first_of_rank[r + 1], first) -
+                              by_owner.begin(),
+                            std::lower_bound(by_owner.begin() + first_of_rank[r],
+                                             by_owner.begin() + first_of_rank[r + 1], last) -
+                              by_owner.begin());
+      return pieces;
+    };
+    std::vector<double> sent;
+    for (const auto &[first, last] : pieces_of(rank))
+      sent.insert(sent.end(), own + static_cast<std::size_t>(first - first_of_rank[rank]) * n_components,
+                  own + static_cast<std::size_t>(last - first_of_rank[rank]) * n_components);
     if (n_ranks == 1)
-      return std::vector<double>(own, own + static_cast<std::size_t>(n_nodes) * n_components);
+      return sent;
 
-    // A rank's nodes below n_nodes come first among its own.
-    std::vector<int> counts(n_ranks), offsets(n_ranks, 0);
+    std::vector<int> counts(n_ranks, 0), offsets(n_ranks, 0);
     for (unsigned int r = 0; r < n_ranks; ++r)
     {
-      const auto begin = by_owner.begin() + first_of_rank[r], end = by_owner.begin() + first_of_rank[r + 1];
-      counts[r] = n_components * (std::lower_bound(begin, end, n_nodes) - begin);
+      for (const auto &[first, last] : pieces_of(r))
+        counts[r] += n_components * (last - first);
       if (r > 0)
         offsets[r] = offsets[r - 1] + counts[r - 1];
     }
-    std::vector<double> received(static_cast<std::size_t>(n_nodes) * n_components), result(received.size());
-    const int ierr = MPI_Allgatherv(own, counts[Utilities::MPI::this_mpi_process(mpi_communicator)],
-                                    MPI_DOUBLE, received.data(), counts.data(), offsets.data(), MPI_DOUBLE,
-                                    mpi_communicator);
+    std::vector<double> received(offsets.back() + counts.back()), result(received.size());
+    const int ierr = MPI_Allgatherv(sent.data(), sent.size(), MPI_DOUBLE, received.data(), counts.data(),
+                                    offsets.data(), MPI_DOUBLE, mpi_communicator);
     AssertThrowMPI(ierr);
 
+    auto value = received.begin();
     for (unsigned int r = 0; r < n_ranks; ++r)
-      for (int k = 0; k < counts[r]; ++k)
-        result[static_cast<std::size_t>(by_owner[first_of_rank[r] + k / n_components]) * n_components +
-               k % n_components] = received[offsets[r] + k];
+    {
+      const Ranges pieces = pieces_of(r);
+      for (unsigned int k = 0, n_before = 0; k < ranges.size();
+           n_before += ranges[k].second - ranges[k].first, ++k)
+        for (unsigned int i = pieces[k].first; i < pieces[k].second; ++i, value += n_components)
+          std::copy_n(value, n_components,
+                      result.begin() +
+                        static_cast<std::size_t>(n_before + by_owner[i] - ranges[k].first) * n_components);
+    }
     return result;
   }
 

@@ -51,6 +51,40 @@ namespace Lahar
 
 
   template <int dim>
+  void FluidMesh<dim>::reinit_part(const FluidMesh<dim> &whole, const std::vector<unsigned int> &vertices,
+                                   const std::vector<unsigned int> &cells)
+  {
+    std::vector<unsigned int> new_vertex(whole.n_vertices(), numbers::invalid_unsigned_int);
+    vertex_to_particle.clear();
+    positions.clear();
+    for (const unsigned int v : vertices)
+    {
+      new_vertex[v] = vertex_to_particle.size();
+      vertex_to_particle.push_back(whole.particle(v));
+      positions.push_back(whole.positions[v]);
+    }
+    cells_of_particles.clear();
+    vertex_cells.clear();
+    faces.clear();
+    auto face = whole.faces.begin();
+    for (const unsigned int c : cells)
+    {
+      for (; face != whole.faces.end() && face->cell <= c; ++face)
+        if (face->cell == c)
+          faces.push_back({n_cells(), face->opposite, face->free_surface});
+      cells_of_particles.push_back(whole.cells_of_particles[c]);
+      vertex_cells.push_back(whole.vertex_cells[c]);
+      for (unsigned int &corner : vertex_cells.back())
+        corner = new_vertex[corner];
+    }
+    has_triangulation = false;
+    dofs.clear();
+    tria.clear();
+  }
+
+
+
+  template <int dim>
   void FluidMesh<dim>::make_triangulation() const
   {
     if (has_triangulation)

@@ -1,5 +1,7 @@
 #include <lahar/simulator/anderson_acceleration.h>
 
+#include <cmath>
+
 namespace Lahar
 {
   namespace
@@ -16,11 +18,19 @@ namespace Lahar
 
 
 
-  void AndersonAcceleration::restart()
+  void AndersonAcceleration::restart(const MPI_Comm &new_communicator)
   {
-    last_f.reinit(0);
+    communicator = new_communicator;
+    has_last     = false;
     delta_f.clear();
     delta_g.clear();
+  }
+
+
+
+  double AndersonAcceleration::inner_product(const Vector<double> &a, const Vector<double> &b) const
+  {
+    return Utilities::MPI::sum(a.size() > 0 ? a * b : 0., communicator);
   }
 
 
@@ -30,7 +40,7 @@ namespace Lahar
   {
     Vector<double> f = g;
     f -= x;
-    if (last_f.size() > 0)
+    if (has_last)
     {
       delta_f.push_front(f);
       delta_f.front() -= last_f;
@@ -42,8 +52,9 @@ namespace Lahar
         delta_g.pop_back();
       }
     }
-    last_f = f;
-    last_g = g;
+    last_f   = f;
+    last_g   = g;
+    has_last = true;
 
     // Gram-Schmidt on the columns W Δf; Δg follows, so that c_j are the components of W f_k.
     Vector<double> next = g;
@@ -53,19 +64,19 @@ namespace Lahar
     {
       Vector<double> column = delta_f[j], image = delta_g[j];
       column.scale(weights);
-      const double norm = column.l2_norm();
+      const double norm = std::sqrt(inner_product(column, column));
       for (unsigned int i = 0; i < columns.size(); ++i)
       {
-        const double component = columns[i] * column;
+        const double component = inner_product(columns[i], column);
         column.add(-component, columns[i]);
         image.add(-component, images[i]);
       }
-      const double rest = column.l2_norm();
+      const double rest = std::sqrt(inner_product(column, column));
       if (!(rest > dependent * norm))
         continue;
       column /= rest;
       image /= rest;
-      const double component = column * f;
+      const double component = inner_product(column, f);
       f.add(-component, column);
       next.add(-component, image);
       columns.push_back(column);

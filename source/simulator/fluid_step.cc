@@ -45,7 +45,8 @@ namespace Lahar
   template <int dim>
   void FluidStep<dim>::move(const std::vector<Tensor<1, dim>> &velocities)
   {
-    std::copy(velocities.begin(), velocities.begin() + mesh->n_vertices(), state.velocity.begin());
+    AssertDimension(velocities.size(), mesh->n_vertices());
+    state.velocity = velocities;
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
       state.acceleration[v] = integration.acceleration(state.velocity[v], state.old_velocity[v],
@@ -54,14 +55,6 @@ namespace Lahar
                                                                                state.old_velocity[v],
                                                                                state.position_factor[v]);
     }
-  }
-
-
-
-  template <int dim>
-  void FluidStep<dim>::get_velocities(std::vector<Tensor<1, dim>> &velocities) const
-  {
-    std::copy(state.velocity.begin(), state.velocity.end(), velocities.begin());
   }
 
 
@@ -103,17 +96,34 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidStep<dim>::accept(ParticleCloud<dim> &cloud) const
+  typename FluidStep<dim>::Values FluidStep<dim>::values(const unsigned int v) const
   {
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    Values result;
+    for (unsigned int d = 0; d < dim; ++d)
     {
-      const unsigned int i   = mesh->particle(v);
-      cloud.position[i]      = state.position[v];
-      cloud.velocity[i]      = state.velocity[v];
-      cloud.acceleration[i]  = state.acceleration[v];
-      cloud.pressure_rate[i] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
-      cloud.pressure[i]      = state.pressure[v];
+      result[d]           = state.position[v][d];
+      result[dim + d]     = state.velocity[v][d];
+      result[2 * dim + d] = state.acceleration[v][d];
     }
+    result[3 * dim]     = state.pressure[v];
+    result[3 * dim + 1] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void FluidStep<dim>::set_values(const double *values, const unsigned int particle,
+                                  ParticleCloud<dim> &cloud)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      cloud.position[particle][d]     = values[d];
+      cloud.velocity[particle][d]     = values[dim + d];
+      cloud.acceleration[particle][d] = values[2 * dim + d];
+    }
+    cloud.pressure[particle]      = values[3 * dim];
+    cloud.pressure_rate[particle] = values[3 * dim + 1];
   }
 
 

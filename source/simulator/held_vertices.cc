@@ -34,15 +34,18 @@ namespace Lahar
   template <int dim>
   void HeldVertices<dim>::note(const std::vector<double> &lengths)
   {
-    std::copy_n(lengths.begin(), followed.size(), followed.begin());
+    followed = lengths;
   }
 
 
 
   template <int dim>
-  bool HeldVertices<dim>::update(std::vector<NodeConstraint<dim>> &constraints)
+  bool HeldVertices<dim>::update(const NodePartition &partition,
+                                 std::vector<NodeConstraint<dim>> &constraints)
   {
+    // Ranks that know a vertex know the same of it, and come to the same decision.
     const unsigned int n_before = n_held;
+    unsigned int n_own_new      = 0;
     for (unsigned int v = 0; v < followed.size(); ++v)
     {
       const bool is_short = followed[v] < 1.;
@@ -52,10 +55,11 @@ namespace Lahar
       {
         can_be_held[v] = false;
         constraints[v] = {dim, unit_symmetric_tensor<dim>(), false};
-        ++n_held;
+        n_own_new += (v < partition.n_own());
       }
     }
-    if (n_held > std::max<double>(n_always_allowed, largest_held_part * constraints.size()))
+    n_held += Utilities::MPI::sum(n_own_new, partition.communicator());
+    if (n_held > std::max<double>(n_always_allowed, largest_held_part * partition.n_nodes()))
       throw RunError("flat simplices stop the flow at " + std::to_string(n_held) + " vertices");
     return n_held > n_before;
   }

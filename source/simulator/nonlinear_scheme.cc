@@ -191,7 +191,7 @@ namespace Lahar
   void SegregatedScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
   {
     if (report.iterations == 1)
-      acceleration.restart();
+      acceleration.restart(problem.communicator());
     const Vector<double> start = problem.unknowns();
 
     // The primal-dual linearisation needs increments that both equations agree on.
@@ -219,7 +219,7 @@ namespace Lahar
     if (!this->is_converged(report) &&
         !problem.set_unknowns(
           acceleration.next_iterate(start, problem.unknowns(), problem.unknown_weights())))
-      acceleration.restart();
+      acceleration.restart(problem.communicator());
   }
 
 

@@ -298,17 +298,13 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::check_movements() const
   {
-    for (unsigned int v = 0; v < fluid_mesh.n_vertices(); ++v)
+    const auto [movement, place] = problem.largest_movement(particles);
+    if (movement > 2. * parameters.largest_movement)
     {
-      const unsigned int i  = fluid_mesh.particle(v);
-      const double movement = problem.movement(v) / particles.spacing[i];
-      if (movement > 2. * parameters.largest_movement)
-      {
-        std::ostringstream message;
-        message << "the particle at (" << particles.position[i] << ") m moves by " << movement
-                << " times its spacing, twice 'Largest movement' is allowed";
-        throw RunError(message.str());
-      }
+      std::ostringstream message;
+      message << "the particle at (" << place << ") m moves by " << movement
+              << " times its spacing, twice 'Largest movement' is allowed";
+      throw RunError(message.str());
     }
   }
 

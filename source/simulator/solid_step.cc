@@ -11,7 +11,8 @@ namespace Lahar
   {
     solids = &new_solids;
     system_nodes.clear();
-    n_own = 0;
+    n_own = n_shared = 0;
+    n_vertices       = mesh.n_vertices();
     if (solids->empty())
       return;
     integration     = new_integration;
@@ -20,11 +21,11 @@ namespace Lahar
     // The solids' particles come first in the cloud, and so among the vertices.
     const SolidMesh<dim> &solid_mesh = solids->mesh();
     system_nodes.assign(solid_mesh.n_nodes(), numbers::invalid_unsigned_int);
-    for (unsigned int v = 0; v < mesh.n_vertices() && mesh.particle(v) < solid_mesh.n_contour_nodes(); ++v)
-      system_nodes[mesh.particle(v)] = v;
+    for (; n_shared < n_vertices && mesh.particle(n_shared) < solid_mesh.n_contour_nodes(); ++n_shared)
+      system_nodes[mesh.particle(n_shared)] = n_shared;
     for (unsigned int &node : system_nodes)
       if (node == numbers::invalid_unsigned_int)
-        node = mesh.n_vertices() + n_own++;
+        node = n_vertices + n_own++;
 
     state = solids->state();
     for (unsigned int i = 0; i < solid_mesh.n_nodes(); ++i)
@@ -47,14 +48,46 @@ namespace Lahar
 
 
   template <int dim>
-  void SolidStep<dim>::add_constraints(std::vector<NodeConstraint<dim>> &constraints) const
+  std::vector<std::pair<unsigned int, unsigned int>>
+  SolidStep<dim>::known_nodes(const NodePartition &partition) const
   {
-    constraints.resize(constraints.size() + n_own);
+    std::vector<std::pair<unsigned int, unsigned int>> result;
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+      if (partition.local(system_nodes[i]) != numbers::invalid_unsigned_int)
+        result.emplace_back(partition.local(system_nodes[i]), i);
+    return result;
+  }
+
+
+
+  template <int dim>
+  NodeConstraint<dim> SolidStep<dim>::constraint(const unsigned int node) const
+  {
+    NodeConstraint<dim> result;
+    result.n_fixed = solids->is_fixed(node) ? dim : 0;
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> SolidStep<dim>::gather(const NodePartition &partition,
+                                                     const std::vector<Tensor<1, dim>> &values) const
+  {
+    if (system_nodes.empty())
+      return {};
+    const std::vector<double> gathered = partition.gather(reinterpret_cast<const double *>(values.data()),
+                                                          dim,
+                                                          {{0, n_shared}, {n_vertices, n_vertices + n_own}});
+    std::vector<Tensor<1, dim>> result(system_nodes.size());
     for (unsigned int i = 0; i < system_nodes.size(); ++i)
     {
-      constraints[system_nodes[i]]         = NodeConstraint<dim>();
-      constraints[system_nodes[i]].n_fixed = solids->is_fixed(i) ? dim : 0;
+      const unsigned int node  = system_nodes[i];
+      const std::size_t number = node < n_vertices ? node : n_shared + node - n_vertices;
+      for (unsigned int a = 0; a < dim; ++a)
+        result[i][a] = gathered[dim * number + a];
     }
+    return result;
   }
 
 
@@ -65,21 +98,12 @@ namespace Lahar
     const SolidState<dim> &old = solids->state();
     for (unsigned int i = 0; i < system_nodes.size(); ++i)
     {
-      state.velocity[i]     = velocities[system_nodes[i]];
+      state.velocity[i]     = velocities[i];
       state.acceleration[i] = integration.acceleration(state.velocity[i], old.velocity[i],
                                                        old.acceleration[i]);
       state.position[i]     = old.position[i] + integration.displacement(state.velocity[i], old.velocity[i],
                                                                          integration.position_factor(false));
     }
-  }
-
-
-
-  template <int dim>
-  void SolidStep<dim>::get_velocities(std::vector<Tensor<1, dim>> &velocities) const
-  {
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
-      velocities[system_nodes[i]] = state.velocity[i];
   }
 
 

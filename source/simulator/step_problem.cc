@@ -1,5 +1,6 @@
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/undetermined_pressures.h>
+#include <lahar/utilities/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,7 @@ namespace Lahar
 
   template <int dim>
   StepProblem<dim>::StepProblem(const MPI_Comm &communicator, TimerOutput &timer)
-    : communicator(communicator)
-    , timer(timer)
+    : timer(timer)
     , system(communicator)
   {}
 
@@ -43,100 +43,13 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                                    const std::vector<NodeConstraint<dim>> &vertex_constraints,
-                                    const FluidLaw &law, const Tensor<1, dim> &new_gravity,
-                                    const TimeIntegration &integration, const std::vector<bool> &arrives,
-                                    const Solids<dim> &solids, const double end_time)
-  {
-    mesh             = &new_mesh;
-    fluid_law        = &law;
-    gravity          = new_gravity;
-    time_integration = integration;
-
-    TimeIntegration solid_integration = time_integration.with_gamma(solids.newmark_gamma());
-    solid.start(solids, *mesh, solid_integration, end_time);
-    constraints = vertex_constraints;
-    solid.add_constraints(constraints);
-    fix_undetermined_pressures(mesh->cells(), constraints);
-    reinit_system(cloud);
-    linear_solver->forget();
-
-    fluid.start(*mesh, cloud, time_integration, arrives);
-    velocity_change.assign(system.n_nodes(), Tensor<1, dim>());
-    std::vector<bool> is_fluid(mesh->n_vertices());
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      is_fluid[v] = cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
-    held_vertices.start_step(is_fluid);
-    pressure_change.assign(mesh->n_vertices(), 0.);
-
-    assembler.set_stabilization(*mesh, law, gravity, fluid.state);
-    if (law.yield_stress() > 0.)
-      assembler.start_plastic_dual(*mesh, law, fluid.state);
-    std::vector<Tensor<1, dim>> velocities = node_velocities();
-    solid.get_velocities(velocities); // the prescribed ones
-    set_node_velocities(velocities);
-    // Where the old velocities would flatten simplices, let their vertices move less; if they do not move at all,
-    // nothing is. Walls and solids keep their velocities; a driven solid may leave no room.
-    std::vector<double> motion(mesh->n_vertices(), 1.);
-    const std::vector<double> old_volumes = fluid.old_volumes();
-    for (bool any_shorter = true; any_shorter;)
-    {
-      any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(old_volumes))
-        if (constraints[v].n_fixed < dim && motion[v] > 0.)
-        {
-          any_shorter   = true;
-          motion[v]     = std::max(0., motion[v] - 0.25);
-          velocities[v] = fluid.slowed_velocity(v, motion[v]);
-        }
-      if (any_shorter)
-        set_node_velocities(velocities);
-    }
-    set_norms();
-  }
-
-
-
-  template <int dim>
-  void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud)
-  {
-    std::vector<Point<dim>> positions(mesh->n_vertices() + solid.n_own_nodes());
-    solid.get_positions(positions);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      positions[v] = cloud.position[mesh->particle(v)];
-    if (mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
-    {
-      TimerOutput::Scope scope(timer, "Set up system");
-      numbered_cells       = mesh->cells();
-      numbered_solid_nodes = solid.nodes();
-      system.reinit(mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
-                    solid.nodes_per_cell(), positions);
-      solution = system.make_vector();
-    }
-    else
-      system.set_positions(positions);
-    system.set_constraints(constraints);
-  }
-
-
-
-  template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::node_velocities() const
   {
-    std::vector<Tensor<1, dim>> velocities(system.n_nodes());
-    solid.get_velocities(velocities);
-    fluid.get_velocities(velocities);
+    std::vector<Tensor<1, dim>> velocities = by_node(fluid.state.velocity);
+    for (const auto &[node, i] : solid.known_nodes(system.partition()))
+      if (system.partition().nodes()[node] >= system.n_fluid_nodes())
+        velocities[node] = solid.velocity(i);
     return velocities;
-  }
-
-
-
-  template <int dim>
-  void StepProblem<dim>::set_node_velocities(const std::vector<Tensor<1, dim>> &velocities)
-  {
-    fluid.move(velocities);
-    solid.move(velocities);
   }
 
 
@@ -144,16 +57,20 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_norms()
   {
-    double v = 0., p = 0., dv = 0., dp = 0.;
-    for (const Tensor<1, dim> &velocity : node_velocities())
-      v += velocity.norm_square();
-    for (unsigned int i = 0; i < system.n_nodes(); ++i)
-      dv += velocity_change[i].norm_square();
-    for (unsigned int i = 0; i < mesh->n_vertices(); ++i)
+    double sums[4]                               = {}; // of v², δv², p², δp²
+    const std::vector<Tensor<1, dim>> velocities = node_velocities();
+    for (unsigned int l = 0; l < system.partition().n_own(); ++l)
     {
-      p += fluid.state.pressure[i] * fluid.state.pressure[i];
-      dp += pressure_change[i] * pressure_change[i];
+      sums[0] += velocities[l].norm_square();
+      sums[1] += velocity_change[l].norm_square();
     }
+    for (unsigned int i = 0; i < system.n_own_fluid_nodes(); ++i)
+    {
+      sums[2] += fluid.state.pressure[i] * fluid.state.pressure[i];
+      sums[3] += pressure_change[i] * pressure_change[i];
+    }
+    Utilities::MPI::sum(ArrayView<const double>(sums, 4), communicator(), ArrayView<double>(sums, 4));
+    const auto [v, dv, p, dp] = sums;
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound.
     const double n_nodes = system.n_nodes();
     const double v_floor = (1e-8 * gravity.norm() * fluid.state.factors.time_step +
@@ -173,7 +90,7 @@ namespace Lahar
   template <int dim>
   bool StepProblem<dim>::on_all_ranks(const bool fine) const
   {
-    return Utilities::MPI::min(fine ? 1U : 0U, communicator) == 1U;
+    return Utilities::MPI::min(fine ? 1U : 0U, communicator()) == 1U;
   }
 
 
@@ -237,7 +154,8 @@ namespace Lahar
     base_volumes  = fluid.new_volumes();
     base_pressure = fluid.state.pressure;
     if (fluid_law->yield_stress() > 0.)
-      assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, velocity_change, base_dual, dual_change);
+      assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, by_vertex(velocity_change), base_dual,
+                                     dual_change);
   }
 
 
@@ -246,25 +164,28 @@ namespace Lahar
   void StepProblem<dim>::take_step(const double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    std::vector<double> lengths(system.n_nodes(), length);
-    std::vector<Tensor<1, dim>> velocities(system.n_nodes());
-    const auto move_along = [&] {
-      for (unsigned int v = 0; v < system.n_nodes(); ++v)
-        velocities[v] = base_velocity[v] + lengths[v] * velocity_change[v];
-      set_node_velocities(velocities);
-    };
+    const unsigned int n_nodes = constraints.size();
+    std::vector<double> lengths(n_nodes, length);
+    std::vector<Tensor<1, dim>> velocities(n_nodes);
     damped = false;
     for (bool any_shorter = true; any_shorter;)
     {
-      move_along();
+      for (unsigned int l = 0; l < n_nodes; ++l)
+        velocities[l] = base_velocity[l] + lengths[l] * velocity_change[l];
+      fluid.move(by_vertex(velocities));
       any_shorter = false;
       for (const unsigned int v : fluid.shrinking_vertices(base_volumes))
-        if (lengths[v] > 0.)
+        if (double &own_length = lengths[system.local_number(v)]; own_length > 0.)
         {
-          any_shorter = damped = true;
-          lengths[v]           = (lengths[v] > shortest_step * length ? 0.5 * lengths[v] : 0.);
+          any_shorter = true;
+          own_length  = (own_length > shortest_step * length ? 0.5 * own_length : 0.);
         }
+      any_shorter = !on_all_ranks(!any_shorter);
+      if (any_shorter)
+        system.partition().update(lengths);
+      damped = damped || any_shorter;
     }
+    solid.move(solid.gather(system.partition(), velocities));
     if (length == 1.)
       held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
@@ -282,9 +203,9 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::hold_blocked_vertices()
   {
-    if (held_vertices.update(constraints))
+    if (held_vertices.update(system.partition(), constraints))
     {
-      fix_undetermined_pressures(mesh->cells(), constraints);
+      fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
       system.set_constraints(constraints);
     }
   }
@@ -294,13 +215,12 @@ namespace Lahar
   template <int dim>
   Vector<double> StepProblem<dim>::unknowns() const
   {
-    const unsigned int n = system.n_nodes();
-    Vector<double> values(dim * n + mesh->n_vertices());
+    const unsigned int n_v = dim * system.partition().n_own(), n_p = system.n_own_fluid_nodes();
+    Vector<double> values(n_v + n_p);
     const std::vector<Tensor<1, dim>> velocities = node_velocities();
-    for (unsigned int v = 0; v < n; ++v)
-      for (unsigned int d = 0; d < dim; ++d)
-        values[dim * v + d] = velocities[v][d];
-    std::copy(fluid.state.pressure.begin(), fluid.state.pressure.end(), values.begin() + dim * n);
+    for (unsigned int i = 0; i < n_v; ++i)
+      values[i] = velocities[i / dim][i % dim];
+    std::copy_n(fluid.state.pressure.begin(), n_p, values.begin() + n_v);
     return values;
   }
 
@@ -309,10 +229,10 @@ namespace Lahar
   template <int dim>
   Vector<double> StepProblem<dim>::unknown_weights() const
   {
-    const unsigned int n = system.n_nodes();
-    Vector<double> weights(dim * n + mesh->n_vertices());
+    const unsigned int n_v = dim * system.partition().n_own();
+    Vector<double> weights(n_v + system.n_own_fluid_nodes());
     for (unsigned int i = 0; i < weights.size(); ++i)
-      weights[i] = 1. / (i < dim * n ? velocity_norm : pressure_norm);
+      weights[i] = 1. / (i < n_v ? velocity_norm : pressure_norm);
     return weights;
   }
 
@@ -321,20 +241,24 @@ namespace Lahar
   template <int dim>
   bool StepProblem<dim>::set_unknowns(const Vector<double> &values)
   {
-    const unsigned int n      = system.n_nodes();
+    const unsigned int n_v    = dim * system.partition().n_own();
     const auto old_velocities = node_velocities();
-    std::vector<Tensor<1, dim>> velocities(n);
-    for (unsigned int v = 0; v < n; ++v)
-      for (unsigned int d = 0; d < dim; ++d)
-        velocities[v][d] = values[dim * v + d];
-    set_node_velocities(velocities);
-    const bool inverted = !fluid.shrinking_vertices(base_volumes).empty();
-    if (inverted)
-      set_node_velocities(old_velocities);
+    std::vector<Tensor<1, dim>> velocities(old_velocities.size());
+    for (unsigned int i = 0; i < n_v; ++i)
+      velocities[i / dim][i % dim] = values[i];
+    system.partition().update(velocities);
+    fluid.move(by_vertex(velocities));
+    const bool fine = on_all_ranks(fluid.shrinking_vertices(base_volumes).empty());
+    if (fine)
+    {
+      std::copy(values.begin() + n_v, values.end(), fluid.state.pressure.begin());
+      update_vertices(fluid.state.pressure);
+    }
     else
-      std::copy(values.begin() + dim * n, values.end(), fluid.state.pressure.begin());
+      fluid.move(by_vertex(old_velocities));
+    solid.move(solid.gather(system.partition(), fine ? velocities : old_velocities));
     set_norms();
-    return !inverted;
+    return fine;
   }
 
 
@@ -342,22 +266,58 @@ namespace Lahar
   template <int dim>
   Point<dim> StepProblem<dim>::place_of_largest_increment() const
   {
+    std::vector<Point<dim>> positions = by_node(fluid.state.position);
+    std::vector<double> pressures     = by_node(pressure_change);
+    for (const auto &[node, i] : solid.known_nodes(system.partition()))
+      positions[node] = solid.position(i);
     unsigned int place = 0;
     double largest     = -1.;
-    std::vector<Point<dim>> positions(system.n_nodes());
-    solid.get_positions(positions);
-    std::copy(fluid.state.position.begin(), fluid.state.position.end(), positions.begin());
-    for (unsigned int v = 0; v < system.n_nodes(); ++v)
+    for (unsigned int l = 0; l < system.partition().n_own(); ++l)
     {
-      const double increment = velocity_change[v].norm() / velocity_norm +
-                               (v < mesh->n_vertices() ? std::abs(pressure_change[v]) / pressure_norm : 0.);
+      const double increment = velocity_change[l].norm() / velocity_norm +
+                               std::abs(pressures[l]) / pressure_norm;
       if (increment > largest)
       {
         largest = increment;
-        place   = v;
+        place   = l;
       }
     }
-    return positions[place];
+    return largest_of_all(largest, positions.empty() ? Point<dim>() : positions[place], communicator())
+      .second;
+  }
+
+
+
+  template <int dim>
+  std::pair<double, Point<dim>> StepProblem<dim>::largest_movement(const ParticleCloud<dim> &cloud) const
+  {
+    double largest = 0.;
+    Point<dim> place;
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      const double movement = fluid.state.position[v].distance(fluid.state.old_position[v]) /
+                              cloud.spacing[mesh->particle(v)];
+      if (movement > largest)
+      {
+        largest = movement;
+        place   = fluid.state.old_position[v];
+      }
+    }
+    return largest_of_all(largest, place, communicator());
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> StepProblem<dim>::reactions() const
+  {
+    const std::vector<double> values =
+      system.partition().gather(reinterpret_cast<const double *>(system.momentum_residual().data()), dim,
+                                {{0, system.n_fluid_nodes()}});
+    std::vector<Tensor<1, dim>> result(system.n_fluid_nodes());
+    for (unsigned int i = 0; i < values.size(); ++i)
+      result[i / dim][i % dim] = values[i];
+    return result;
   }
 
 
@@ -365,11 +325,7 @@ namespace Lahar
   template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::solid_reactions() const
   {
-    const std::vector<Tensor<1, dim>> residual = system.solid_residual();
-    std::vector<Tensor<1, dim>> reactions;
-    for (const unsigned int node : solid.nodes())
-      reactions.push_back(residual[node]);
-    return reactions;
+    return solid.gather(system.partition(), system.solid_residual());
   }
 
 
@@ -378,7 +334,17 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solids);
-    fluid.accept(cloud);
+    constexpr unsigned int n = FluidStep<dim>::n_values;
+    std::vector<double> own(n * system.partition().n_own());
+    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
+    {
+      const auto values = fluid.values(v);
+      std::copy(values.begin(), values.end(), own.begin() + n * system.local_number(v));
+    }
+    const std::vector<double> all = system.partition().gather(own.data(), n, {{0, system.n_fluid_nodes()}});
+    for (unsigned int v = 0; v < whole_mesh->n_vertices(); ++v)
+      FluidStep<dim>::set_values(all.data() + static_cast<std::size_t>(n) * v, whole_mesh->particle(v),
+                                 cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }
 

@@ -58,6 +58,25 @@ namespace Lahar
 
 
 
+  template <int dim>
+  std::pair<double, Point<dim>> largest_of_all(const double value, const Point<dim> &place,
+                                               const MPI_Comm &communicator)
+  {
+    struct
+    {
+      double value;
+      int rank;
+    } own          = {value, static_cast<int>(Utilities::MPI::this_mpi_process(communicator))}, largest;
+    const int ierr = MPI_Allreduce(&own, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
+    AssertThrowMPI(ierr);
+    return {largest.value, Utilities::MPI::broadcast(communicator, place, largest.rank)};
+  }
+
+  template std::pair<double, Point<2>> largest_of_all(const double, const Point<2> &, const MPI_Comm &);
+  template std::pair<double, Point<3>> largest_of_all(const double, const Point<3> &, const MPI_Comm &);
+
+
+
   void fail_on_all_ranks(const MPI_Comm &communicator, const std::string &message, const int status)
   {
     MPI_Request request;

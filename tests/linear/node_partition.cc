@@ -85,15 +85,25 @@ void test(const unsigned int n_points, const bool by_position)
   check(name + "known nodes", known == std::set<unsigned int>(nodes.begin(), nodes.end()));
   check(name + "known cells", cells_agree);
 
-  // Gather two values a node of the first half of the nodes.
+  // The owners' values of two numbers a node arrive at all ranks that know the node.
+  std::vector<std::array<double, 2>> copies(nodes.size(), {{-1., -1.}});
+  for (unsigned int l = 0; l < partition.n_own(); ++l)
+    copies[l] = {{10. * nodes[l], 10. * nodes[l] + 1.}};
+  partition.update(copies);
+  bool updated = true;
+  for (unsigned int l = 0; l < nodes.size(); ++l)
+    updated = updated && copies[l][0] == 10. * nodes[l] && copies[l][1] == 10. * nodes[l] + 1.;
+  check(name + "updated", updated);
+
+  // Gather two values a node of two ranges of nodes.
   std::vector<double> values;
   for (unsigned int l = 0; l < partition.n_own(); ++l)
     for (unsigned int a = 0; a < 2; ++a)
       values.push_back(10. * nodes[l] + a);
-  const std::vector<double> all = partition.gather(values.data(), 2, n_points / 2);
-  bool gathered                 = all.size() == n_points / 2 * 2;
+  const std::vector<double> all = partition.gather(values.data(), 2, {{0, 20}, {100, n_points}});
+  bool gathered                 = all.size() == (n_points - 80) * 2;
   for (unsigned int i = 0; i < all.size(); ++i)
-    gathered = gathered && all[i] == 10. * (i / 2) + i % 2;
+    gathered = gathered && all[i] == 10. * (i / 2 + (i >= 40 ? 80 : 0)) + i % 2;
   check(name + "gathered", gathered);
 }
 

@@ -1,5 +1,6 @@
 // Test that pressures are fixed where all velocities of a connected part are prescribed, and only there: four triangles,
-// a pair that shares an edge, a pair that shares a node; and that with it a direct solver gets by with such a part.
+// a pair that shares an edge, a pair that shares a node; that a long strip is one part, on several ranks too; and that
+// with it a direct solver gets by with such a part.
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/direct_solver.h>
@@ -9,6 +10,36 @@
 
 using namespace Tests;
 
+/// The cells that this rank knows, by local numbers.
+template <int dim>
+std::vector<Simplex<dim>> known_cells(const NodePartition &partition, const std::vector<Simplex<dim>> &cells)
+{
+  const CellList list{cells.front().data(), static_cast<unsigned int>(cells.size()), dim + 1};
+  const std::vector<unsigned int> flat = partition.local_cells(0, list);
+  std::vector<Simplex<dim>> result(flat.size() / (dim + 1));
+  for (unsigned int i = 0; i < flat.size(); ++i)
+    result[i / (dim + 1)][i % (dim + 1)] = flat[i];
+  return result;
+}
+
+/// All nodes: x where the pressure is fixed. Ranks that know a node must agree.
+std::string all_fixed_pressures(const NodePartition &partition,
+                                const std::vector<NodeConstraint<2>> &constraints)
+{
+  std::vector<unsigned int> n_knowing(partition.n_nodes(), 0), n_fixed(partition.n_nodes(), 0);
+  for (unsigned int l = 0; l < partition.nodes().size(); ++l)
+  {
+    ++n_knowing[partition.nodes()[l]];
+    n_fixed[partition.nodes()[l]] += constraints[l].fixed_pressure;
+  }
+  Utilities::MPI::sum(n_knowing, MPI_COMM_WORLD, n_knowing);
+  Utilities::MPI::sum(n_fixed, MPI_COMM_WORLD, n_fixed);
+  std::string result;
+  for (unsigned int i = 0; i < n_fixed.size(); ++i)
+    result += n_fixed[i] == 0 ? '.' : n_fixed[i] == n_knowing[i] ? 'x' : '?';
+  return result;
+}
+
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -16,12 +47,14 @@ int main(int argc, char **argv)
   // Nodes 0 to 3, and 4 to 8; node 9 belongs to no cell.
   const std::vector<Simplex<2>> cells = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {6, 7, 8}};
   std::vector<NodeConstraint<2>> constraints(10);
+  NodePartition partition(MPI_COMM_WORLD);
+  partition.reinit(10, {}, {{cells.front().data(), 4, 3}});
   const auto fixed_pressures = [&]() {
-    fix_undetermined_pressures(cells, constraints);
-    std::string result;
-    for (const auto &constraint : constraints)
-      result += constraint.fixed_pressure ? 'x' : '.';
-    return result;
+    std::vector<NodeConstraint<2>> known;
+    for (const unsigned int node : partition.nodes())
+      known.push_back(constraints[node]);
+    fix_undetermined_pressures(known_cells<2>(partition, cells), partition, known);
+    return all_fixed_pressures(partition, known);
   };
   check("free parts", fixed_pressures() == "..........");
   for (const unsigned int i : {0, 1, 2, 3})
@@ -33,6 +66,26 @@ int main(int argc, char **argv)
   check("parts in which one node can move", fixed_pressures() == "..........");
   constraints[8].n_fixed = 2;
   check("cells that share a node are one part", fixed_pressures() == "....xxxxx.");
+
+  // A strip of triangles that extends over all ranks, of which one end is free.
+  std::vector<Simplex<2>> strip;
+  for (unsigned int i = 0; i + 2 < 60; ++i)
+    strip.push_back({i, i + 1, i + 2});
+  partition.reinit(60, {}, {{strip.front().data(), 58, 3}});
+  std::vector<NodeConstraint<2>> known;
+  for (const unsigned int node : partition.nodes())
+  {
+    known.emplace_back();
+    known.back().n_fixed = node == 59 ? 1 : 2;
+  }
+  fix_undetermined_pressures(known_cells<2>(partition, strip), partition, known);
+  check("one end is free", all_fixed_pressures(partition, known) == std::string(60, '.'));
+  for (auto &constraint : known)
+    constraint.n_fixed = 2;
+  fix_undetermined_pressures(known_cells<2>(partition, strip), partition, known);
+  check("no end is free", all_fixed_pressures(partition, known) == std::string(60, 'x'));
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    return n_failed > 0;
 
   // A resting triangle whose nodes are all held beside one that falls.
   ParticleCloud<2> cloud;
@@ -60,7 +113,7 @@ int main(int argc, char **argv)
   constraints.assign(6, NodeConstraint<2>());
   for (const unsigned int i : {0, 1, 2})
     constraints[i].n_fixed = 2;
-  fix_undetermined_pressures(mesh.cells(), constraints);
+  fix_undetermined_pressures(mesh.cells(), system.partition(), constraints);
   system.set_constraints(constraints);
   FluidAssembler<2>::Linearization linearization;
   linearization.viscosity = ViscosityLinearization::picard;

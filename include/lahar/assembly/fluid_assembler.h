@@ -51,7 +51,8 @@ namespace Lahar
                               std::vector<SymmetricTensor<2, dim>> &base,
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
 
-    /// Assemble. @return whether all cells have positive volume; if not, the system is incomplete.
+    /// Assemble; the cells of @p mesh are those that this rank adds to @p system, in its order. @return whether all
+    /// cells have positive volume; if not, the system is incomplete.
     bool assemble(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
                   const FluidState<dim> &state, const Linearization &linearization,
                   BlockSystem<dim> &system) const;

@@ -76,7 +76,13 @@ namespace Lahar
     /// Tell where the nodes are now, if they were told to reinit(). All ranks call it for all nodes.
     void set_positions(const std::vector<Point<dim>> &positions);
 
-    /// Set what is prescribed, one entry a node.
+    /// The fluid's cells that this rank adds, by local numbers of nodes.
+    const std::vector<Cell> &cells_by_local_number() const
+    {
+      return local_cells;
+    }
+
+    /// Set what is prescribed, one entry for each node that this rank knows.
     void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
 
     /// Clear matrix, right-hand side and reactions.
@@ -101,7 +107,7 @@ namespace Lahar
     /// All nodes.
     unsigned int n_nodes() const
     {
-      return constraints.size();
+      return node_partition.n_nodes();
     }
 
     /// Nodes with a pressure.
@@ -187,23 +193,28 @@ namespace Lahar
     /// A vector of the system's layout, zero.
     Vector make_vector() const;
 
-    /// Velocity increments of all nodes from the vector of unknowns, on all ranks. Collective.
+    /// Velocity increments of the known nodes, by local number, from the vector of unknowns. Collective.
     std::vector<Tensor<1, dim>> velocities(const Vector &solution) const;
 
-    /// Pressure increments of all nodes of the fluid, on all ranks. Collective.
+    /// Pressure increments of the known nodes of the fluid, by fluid_number(). Collective.
     std::vector<double> pressures(const Vector &solution) const;
 
     /**
-     * Sum over the fluid's cells of the momentum residual of each fluid node, prescribed components included, N: where
-     * the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid. Collective.
+     * Sum over the fluid's cells of the momentum residual by local number, whole for own nodes, prescribed components
+     * included, N: where the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid.
      */
-    std::vector<Tensor<1, dim>> momentum_residual() const;
+    const std::vector<Tensor<1, dim>> &momentum_residual() const
+    {
+      return residuals;
+    }
 
-    /// The same for the solids' cells, of all nodes. Collective.
-    std::vector<Tensor<1, dim>> solid_residual() const;
+    /// The same for the solids' cells.
+    const std::vector<Tensor<1, dim>> &solid_residual() const
+    {
+      return solid_residuals;
+    }
 
   private:
-    std::vector<Tensor<1, dim>> gather(const double *own, const unsigned int n) const;
     void number_unknowns();
     void make_matrices();
 
@@ -222,7 +233,7 @@ namespace Lahar
     std::vector<unsigned short> solid_places;
     unsigned int n_reinits = 0;
 
-    std::vector<NodeConstraint<dim>> constraints, local_constraints;
+    std::vector<NodeConstraint<dim>> constraints; ///< by local number
 
     TrilinosWrappers::BlockSparseMatrix block_matrix;
     Vector rhs;

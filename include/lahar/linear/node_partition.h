@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 
 #include <lahar/linear/nodal_graph.h>
+#include <lahar/utilities/halo_exchange.h>
 
 #include <vector>
 
@@ -50,6 +51,12 @@ namespace Lahar
       return n_row_nodes;
     }
 
+    /// All nodes of all ranks.
+    unsigned int n_nodes() const
+    {
+      return by_owner.size();
+    }
+
     /// Numbers of the nodes that this rank knows.
     const std::vector<unsigned int> &nodes() const
     {
@@ -72,11 +79,25 @@ namespace Lahar
     std::vector<unsigned int> local_cells(const unsigned int list, const CellList &cells) const;
 
     /**
-     * Collect on all ranks what each has of its own nodes below @p n_nodes: @p own holds @p n_components values a node
-     * by local number. @return the values of nodes 0 … n_nodes−1. Collective.
+     * Replace the values of the known nodes of other ranks by those of their owners. @param values by local number, T
+     * of doubles. Collective.
+     */
+    template <typename T>
+    void update(std::vector<T> &values) const
+    {
+      AssertDimension(values.size(), global_numbers.size());
+      exchange.update(reinterpret_cast<double *>(values.data()), sizeof(T) / sizeof(double));
+    }
+
+    /// Ranges of numbers: first and one beyond the last, ascending.
+    using Ranges = std::vector<std::pair<unsigned int, unsigned int>>;
+
+    /**
+     * Collect on all ranks the values of the nodes in the @p ranges from their owners: @p own holds @p n_components
+     * values a node by local number. @return the values in the order of the ranges. Collective.
      */
     std::vector<double> gather(const double *own, const unsigned int n_components,
-                               const unsigned int n_nodes) const;
+                               const Ranges &ranges) const;
 
   private:
     void find_known(const std::vector<unsigned int> &owners, const std::vector<CellList> &lists);
@@ -86,6 +107,7 @@ namespace Lahar
     std::vector<unsigned int> global_numbers, local_numbers;
     std::vector<std::vector<unsigned int>> known_cells;
     std::vector<unsigned int> by_owner, first_of_rank; ///< all nodes, sorted by owner and number
+    HaloExchange exchange;
   };
 
 

@@ -51,6 +51,13 @@ namespace Lahar
      */
     bool reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> cells_of_particles);
 
+    /**
+     * Make this a part of the mesh @p whole: some of its @p cells, ascending, and their @p vertices in this order. The
+     * boundary faces are those of the whole mesh.
+     */
+    void reinit_part(const FluidMesh<dim> &whole, const std::vector<unsigned int> &vertices,
+                     const std::vector<unsigned int> &cells);
+
     /// Write what does not follow from the particles.
     template <typename Archive>
     void save(Archive &archive) const

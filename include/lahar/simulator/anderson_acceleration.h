@@ -1,6 +1,8 @@
 #ifndef lahar_simulator_anderson_acceleration_h
 #define lahar_simulator_anderson_acceleration_h
 
+#include <deal.II/base/mpi.h>
+
 #include <deal.II/lac/vector.h>
 
 #include <deque>
@@ -24,15 +26,20 @@ namespace Lahar
     /// @param depth the number of differences to keep.
     explicit AndersonAcceleration(const unsigned int depth);
 
-    /// Forget what was: a new iteration begins.
-    void restart();
+    /// Forget what was: a new iteration begins, of vectors that are shared out among the ranks of @p communicator.
+    void restart(const MPI_Comm &communicator = MPI_COMM_SELF);
 
-    /// @return the next iterate after @p x, for which g(x) is @p g. @param weights the diagonal of W.
+    /// @return the next iterate after @p x, for which g(x) is @p g. @param weights the diagonal of W. Collective; each
+    /// rank gives its part of the vectors.
     Vector<double> next_iterate(const Vector<double> &x, const Vector<double> &g,
                                 const Vector<double> &weights);
 
   private:
+    double inner_product(const Vector<double> &a, const Vector<double> &b) const;
+
     unsigned int depth;
+    MPI_Comm communicator = MPI_COMM_SELF;
+    bool has_last         = false;
     Vector<double> last_f, last_g;
     std::deque<Vector<double>> delta_f, delta_g; ///< the latest first
   };

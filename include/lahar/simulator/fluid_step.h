@@ -5,13 +5,14 @@
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/simulator/time_integration.h>
 
+#include <array>
 #include <vector>
 
 namespace Lahar
 {
   /**
    * The fluid during one time step: its state at the start and at the end, by vertex of the mesh, and the motion of its
-   * simplices in between.
+   * simplices in between. On several ranks: of the part of the mesh that a rank knows.
    */
   template <int dim>
   class FluidStep
@@ -24,11 +25,8 @@ namespace Lahar
     void start(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                const TimeIntegration &integration, const std::vector<bool> &arrives);
 
-    /// Set the velocities at the end of the step, the first of @p velocities, and what follows from them.
+    /// Set the velocities at the end of the step, by vertex, and what follows from them.
     void move(const std::vector<Tensor<1, dim>> &velocities);
-
-    /// Write the velocities over the first of @p velocities.
-    void get_velocities(std::vector<Tensor<1, dim>> &velocities) const;
 
     /**
      * The velocity of vertex @p v, not a wall's or a solid's, with which it moves @p part of the way that it would with
@@ -49,8 +47,14 @@ namespace Lahar
     /// The vertices of cells that are inverted or have less than a fifth of the volumes @p from, ascending.
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
 
-    /// Write the end of the step to the mesh's particles.
-    void accept(ParticleCloud<dim> &cloud) const;
+    /// What a particle takes over from the end of the step: position, velocity, acceleration, pressure and its rate.
+    static constexpr unsigned int n_values = 3 * dim + 2;
+    using Values                           = std::array<double, n_values>;
+
+    Values values(const unsigned int vertex) const;
+
+    /// Give a particle the values of its vertex.
+    static void set_values(const double *values, const unsigned int particle, ParticleCloud<dim> &cloud);
 
     FluidState<dim> state;
 

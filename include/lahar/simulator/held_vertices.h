@@ -18,19 +18,20 @@ namespace Lahar
   class HeldVertices
   {
   public:
-    /// Begin a step, in which no vertex is held. @param can_be_held by vertex.
+    /// Begin a step, in which no vertex is held. @param can_be_held by local number of the node.
     void start_step(const std::vector<bool> &can_be_held);
 
-    /// Take note of an iteration. @param lengths by node, vertices first: the part of the increment that was taken.
+    /// Take note of an iteration. @param lengths by local number: the part of the increment that was taken.
     void note(const std::vector<double> &lengths);
 
     /**
-     * Hold vertices after an iteration: fix their velocities in @p constraints (by node).
-     * @return whether there are new ones.
+     * Hold vertices after an iteration: fix their velocities in @p constraints, by the local numbers of @p partition.
+     * @return whether there are new ones on any rank. Collective.
      * @throws RunError if more than one in a hundred are held.
      */
-    bool update(std::vector<NodeConstraint<dim>> &constraints);
+    bool update(const NodePartition &partition, std::vector<NodeConstraint<dim>> &constraints);
 
+    /// On all ranks together.
     unsigned int number() const
     {
       return n_held;

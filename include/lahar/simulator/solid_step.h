@@ -43,16 +43,30 @@ namespace Lahar
       return system_nodes.empty() ? 0 : solids->mesh().nodes_per_cell();
     }
 
-    /// Set the constraints of all nodes; the fluid's are there already.
-    void add_constraints(std::vector<NodeConstraint<dim>> &constraints) const;
+    /// The solids' nodes that @p partition knows: their local numbers there and their own.
+    std::vector<std::pair<unsigned int, unsigned int>> known_nodes(const NodePartition &partition) const;
 
-    /// Set velocities from those of all the system's nodes, and what follows from them.
+    /// What is prescribed at a node.
+    NodeConstraint<dim> constraint(const unsigned int node) const;
+
+    /// Collect on all ranks the values of the solids' nodes, which the owners have in @p values by local number.
+    std::vector<Tensor<1, dim>> gather(const NodePartition &partition,
+                                       const std::vector<Tensor<1, dim>> &values) const;
+
+    /// Set the velocities of all nodes, and what follows from them.
     void move(const std::vector<Tensor<1, dim>> &velocities);
 
-    /// Write the velocities into those of all the system's nodes.
-    void get_velocities(std::vector<Tensor<1, dim>> &velocities) const;
+    const Tensor<1, dim> &velocity(const unsigned int node) const
+    {
+      return state.velocity[node];
+    }
 
-    /// The same for the positions.
+    const Point<dim> &position(const unsigned int node) const
+    {
+      return state.position[node];
+    }
+
+    /// Write the positions into those of all the system's nodes.
     void get_positions(std::vector<Point<dim>> &positions) const;
 
     /// Add to the system. @return whether all cells have positive volume.
@@ -69,7 +83,8 @@ namespace Lahar
     SolidAssembler<dim> assembler;
     TimeIntegration integration;
     std::vector<unsigned int> system_nodes;
-    unsigned int n_own = 0;
+    unsigned int n_vertices = 0, n_own = 0;
+    unsigned int n_shared = 0; ///< nodes that are vertices, the first ones
     std::vector<Tensor<1, dim>> external_forces;
     SolidState<dim> state;
   };

@@ -21,8 +21,9 @@ namespace Lahar
    * together. The nonlinear schemes drive it.
    *
    * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these
-   * (SolidStep). Every rank has the whole state; the system is shared out among the ranks, and its solution collected on
-   * all of them. All functions that assemble, solve or return reactions are collective.
+   * (SolidStep). They are shared out among the ranks (NodePartition). A rank has the state of the nodes that it knows, by
+   * their local numbers, and of all nodes of the solids, whose meshes are small. All functions are collective but those
+   * that tell what the last one found.
    */
   template <int dim>
   class StepProblem
@@ -80,13 +81,10 @@ namespace Lahar
       return held_vertices.number();
     }
 
-    /// How far a vertex moves in the step, m.
-    double movement(const unsigned int vertex) const
-    {
-      return fluid.state.position[vertex].distance(fluid.state.old_position[vertex]);
-    }
+    /// How far the fastest particle of @p cloud moves in the step, over its spacing, and where it starts from, m.
+    std::pair<double, Point<dim>> largest_movement(const ParticleCloud<dim> &cloud) const;
 
-    /// Velocities by vertex, then pressures.
+    /// Velocities of this rank's nodes, then their pressures.
     Vector<double> unknowns() const;
 
     /// For each of unknowns() one over the norm of the velocities or pressures.
@@ -135,10 +133,7 @@ namespace Lahar
 
     /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared
     /// nodes.
-    std::vector<Tensor<1, dim>> reactions() const
-    {
-      return system.momentum_residual();
-    }
+    std::vector<Tensor<1, dim>> reactions() const;
 
     /// Forces on the solids at all their nodes from what holds or wets them, N.
     std::vector<Tensor<1, dim>> solid_reactions() const;
@@ -148,26 +143,41 @@ namespace Lahar
       return *fluid_law;
     }
 
+    const MPI_Comm &communicator() const
+    {
+      return system.partition().communicator();
+    }
+
   private:
     void reinit_system(const ParticleCloud<dim> &cloud);
+    void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
+    /// Keep simplices from being flattened by the old velocities.
+    void slow_down(std::vector<Tensor<1, dim>> &velocities);
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
     void start_increment();
-    /// Velocities of all nodes.
+    /// Velocities of the known nodes.
     std::vector<Tensor<1, dim>> node_velocities() const;
-    /// Set them, and what follows from them.
-    void set_node_velocities(const std::vector<Tensor<1, dim>> &velocities);
+    /// Values of the fluid's vertices from those of the known nodes, and the other way round, zero at other nodes.
+    template <typename T>
+    std::vector<T> by_vertex(const std::vector<T> &by_node) const;
+    template <typename T>
+    std::vector<T> by_node(const std::vector<T> &by_vertex) const;
+    /// Bring the values of other ranks' vertices up to date.
+    template <typename T>
+    void update_vertices(std::vector<T> &by_vertex) const;
     void set_norms();
 
-    MPI_Comm communicator;
     TimerOutput &timer;
     FluidAssembler<dim> assembler;
     BlockSystem<dim> system;
     std::unique_ptr<LinearSolver<dim>> linear_solver;
     typename BlockSystem<dim>::Vector solution;
 
-    const FluidMesh<dim> *mesh = nullptr;
-    const FluidLaw *fluid_law  = nullptr;
+    const FluidMesh<dim> *whole_mesh = nullptr;
+    const FluidMesh<dim> *mesh       = nullptr; ///< what this rank knows of it
+    FluidMesh<dim> part;                        ///< this, on several ranks
+    const FluidLaw *fluid_law = nullptr;
     Tensor<1, dim> gravity;
     TimeIntegration time_integration;
     FluidStep<dim> fluid;
@@ -178,12 +188,47 @@ namespace Lahar
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;
-    std::vector<NodeConstraint<dim>> constraints; ///< by node
+    std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
     HeldVertices<dim> held_vertices;
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
   };
+
+
+
+  template <int dim>
+  template <typename T>
+  std::vector<T> StepProblem<dim>::by_vertex(const std::vector<T> &of_nodes) const
+  {
+    std::vector<T> result(mesh->n_vertices());
+    for (unsigned int v = 0; v < result.size(); ++v)
+      result[v] = of_nodes[system.local_number(v)];
+    return result;
+  }
+
+
+
+  template <int dim>
+  template <typename T>
+  std::vector<T> StepProblem<dim>::by_node(const std::vector<T> &of_vertices) const
+  {
+    std::vector<T> result(system.partition().nodes().size());
+    for (unsigned int v = 0; v < of_vertices.size(); ++v)
+      result[system.local_number(v)] = of_vertices[v];
+    return result;
+  }
+
+
+
+  template <int dim>
+  template <typename T>
+  void StepProblem<dim>::update_vertices(std::vector<T> &of_vertices) const
+  {
+    std::vector<T> of_nodes = by_node(of_vertices);
+    system.partition().update(of_nodes);
+    of_vertices = by_vertex(of_nodes);
+  }
 } // namespace Lahar
 
 #endif

@@ -2,6 +2,7 @@
 #define lahar_utilities_ranks_h
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/point.h>
 
 #include <functional>
 #include <string>
@@ -17,6 +18,11 @@ namespace Lahar
    * message if the action threw one. Collective.
    */
   void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action);
+
+  /// The largest of the ranks' values and its place; of equal values that of the lowest rank. Collective.
+  template <int dim>
+  std::pair<double, Point<dim>> largest_of_all(const double value, const Point<dim> &place,
+                                               const MPI_Comm &communicator);
 
   /**
    * End a program that has failed: if all ranks arrive here within a few seconds the first one prints @p message, and
