@@ -18,7 +18,7 @@ def read_joined(vtk, path):
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
     if not path.is_file():
         raise OutputError(f"{path}: no such file")
-    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader = vtk.vtkXMLPUnstructuredGridReader() if path.suffix == ".pvtu" else vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
     reader.Update()
     apart = reader.GetOutput()

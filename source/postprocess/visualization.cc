@@ -11,14 +11,18 @@
 #include <lahar/postprocess/visualization.h>
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/ranks.h>
 
+#include <algorithm>
 #include <iomanip>
+#include <numeric>
 
 namespace Lahar
 {
   template <int dim>
-  Visualization<dim>::Visualization(const std::string &directory)
+  Visualization<dim>::Visualization(const std::string &directory, const MPI_Comm &communicator)
     : directory(directory)
+    , communicator(communicator)
   {}
 
 
@@ -26,19 +30,20 @@ namespace Lahar
   template <int dim>
   void Visualization<dim>::write(const Snapshot<dim> &snapshot)
   {
-    const std::string ending = "-" + Utilities::int_to_string(n_written++, 5) + ".vtu";
+    const std::string number = "-" + Utilities::int_to_string(n_written++, 5);
     if (snapshot.mesh.n_cells() > 0)
-    {
-      write_fluid(snapshot, "solution" + ending);
-      records.push_back({snapshot.time, 0, "solution" + ending});
-    }
+      records.push_back({snapshot.time, 0, write_fluid(snapshot, "solution" + number)});
     if (!snapshot.solids.empty())
-    {
-      const SolidOutput<dim> output(snapshot.solids);
-      write_atomically(directory + "/solid" + ending, [&](std::ostream &file) { output.write_vtu(file); });
-      records.push_back({snapshot.time, 1, "solid" + ending});
-    }
-    write_records();
+      records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
+    on_first_rank(communicator, [&] {
+      if (!snapshot.solids.empty())
+      {
+        const SolidOutput<dim> output(snapshot.solids);
+        write_atomically(directory + "/" + records.back().file_name,
+                         [&](std::ostream &file) { output.write_vtu(file); });
+      }
+      write_records();
+    });
   }
 
 
@@ -59,8 +64,49 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    std::string piece_name(const std::string &name, const unsigned int piece, const unsigned int n_pieces)
+    {
+      return name + (n_pieces > 1 ? "." + std::to_string(piece) : "") + ".vtu";
+    }
+  } // namespace
+
+
+
   template <int dim>
-  void Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot, const std::string &file_name) const
+  std::string Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const
+  {
+    const unsigned int n_cells  = snapshot.mesh.n_cells(),
+                       n_pieces = std::min(Utilities::MPI::n_mpi_processes(communicator), n_cells),
+                       piece    = Utilities::MPI::this_mpi_process(communicator);
+    on_all_ranks(communicator, [&] {
+      if (n_pieces == 1 && piece == 0)
+        write_piece(snapshot, name, n_pieces);
+      else if (n_pieces > 1 && piece < n_pieces)
+      {
+        const auto first_of = [&](const std::size_t i) { return i * n_cells / n_pieces; };
+        std::vector<unsigned int> cells(first_of(piece + 1) - first_of(piece)), vertices;
+        std::iota(cells.begin(), cells.end(), first_of(piece));
+        for (const unsigned int c : cells)
+          vertices.insert(vertices.end(), snapshot.mesh.cells()[c].begin(), snapshot.mesh.cells()[c].end());
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        FluidMesh<dim> part;
+        part.reinit_part(snapshot.mesh, vertices, cells);
+        write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
+                     snapshot.solids, snapshot.solid_forces, snapshot.time},
+                    name, n_pieces);
+      }
+    });
+    return name + (n_pieces == 1 ? ".vtu" : ".pvtu");
+  }
+
+
+
+  template <int dim>
+  void Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &name,
+                                       const unsigned int n_pieces) const
   {
     const FluidMesh<dim> &mesh      = snapshot.mesh;
     const ParticleCloud<dim> &cloud = snapshot.cloud;
@@ -107,7 +153,17 @@ namespace Lahar
     data_out.add_data_vector(yielded, "yielded", DataOut<dim>::type_cell_data);
     data_out.build_patches(mesh.mapping());
 
-    write_atomically(directory + "/" + file_name, [&](std::ostream &file) { data_out.write_vtu(file); });
+    const unsigned int piece = Utilities::MPI::this_mpi_process(communicator);
+    write_atomically(directory + "/" + piece_name(name, piece, n_pieces),
+                     [&](std::ostream &file) { data_out.write_vtu(file); });
+    if (n_pieces > 1 && piece == 0)
+    {
+      std::vector<std::string> names;
+      for (unsigned int p = 0; p < n_pieces; ++p)
+        names.push_back(piece_name(name, p, n_pieces));
+      write_atomically(directory + "/" + name + ".pvtu",
+                       [&](std::ostream &file) { data_out.write_pvtu_record(file, names); });
+    }
   }
 
 

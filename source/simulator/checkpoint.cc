@@ -83,7 +83,7 @@ namespace Lahar
   void Simulator<dim>::resume()
   {
     std::istringstream data(checkpoint.read());
-    visualization = std::make_unique<Visualization<dim>>(parameters.output_directory);
+    visualization = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
     try
     {
       boost::archive::binary_iarchive archive(data);

@@ -28,15 +28,15 @@ namespace Lahar
       advance_output_time(); // the interval may be another one
       return;
     }
-    visualization = std::make_unique<Visualization<dim>>(directory);
+    visualization = std::make_unique<Visualization<dim>>(directory, communicator);
     progress->message(sizes());
     on_first_rank(communicator, [&] {
       checkpoint.remove();
       statistics.begin();
       convergence.begin();
       convergence.append("# step, time (s), iteration, relative increments of velocity and pressure\n");
-      visualization->write(snapshot());
     });
+    visualization->write(snapshot());
     last_output_time = parameters.start_time;
   }
 
@@ -55,7 +55,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_snapshot()
   {
-    on_first_rank(communicator, [this] { visualization->write(snapshot()); });
+    visualization->write(snapshot());
   }
 
 

@@ -26,6 +26,16 @@ namespace Lahar
 
   void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action)
   {
+    on_all_ranks(communicator, [&] {
+      if (is_first_rank(communicator))
+        action();
+    });
+  }
+
+
+
+  void on_all_ranks(const MPI_Comm &communicator, const std::function<void()> &action)
+  {
     enum Outcome : int
     {
       success,
@@ -33,27 +43,30 @@ namespace Lahar
       failed_run
     } outcome = success;
     std::string message;
-    if (is_first_rank(communicator))
-      try
-      {
-        action();
-      }
-      catch (const InputError &error)
-      {
-        outcome = wrong_input;
-        message = error.what();
-      }
-      catch (const RunError &error)
-      {
-        outcome = failed_run;
-        message = error.what();
-      }
+    try
+    {
+      action();
+    }
+    catch (const InputError &error)
+    {
+      outcome = wrong_input;
+      message = error.what();
+    }
+    catch (const RunError &error)
+    {
+      outcome = failed_run;
+      message = error.what();
+    }
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator),
+                       rank    = Utilities::MPI::this_mpi_process(communicator),
+                       failed  = Utilities::MPI::min(outcome == success ? n_ranks : rank, communicator);
+    if (failed == n_ranks)
+      return;
     const auto news = Utilities::MPI::broadcast(communicator,
-                                                std::make_pair(static_cast<int>(outcome), message));
+                                                std::make_pair(static_cast<int>(outcome), message), failed);
     if (news.first == wrong_input)
       throw InputError(news.second);
-    if (news.first == failed_run)
-      throw RunError(news.second);
+    throw RunError(news.second);
   }
 
 

@@ -3,7 +3,7 @@
 
 column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an elastic
           barrier, in space with the iterative solver; linear and nonlinear tolerances are tight, so that rounding is all
-          that differs.
+          that differs. The pieces of a snapshot are the whole.
 resume:   a checkpoint of two ranks is resumed on three and on one.
 faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
           out of memory the others do not wait for ever.
@@ -18,6 +18,11 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "contrib", "plot"))
+
+import numpy as np  # noqa: E402
+
+from lahar_output import read_pvd, read_vtu  # noqa: E402
 from program_test import barrier, check, failed, new_case  # noqa: E402
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
@@ -105,6 +110,18 @@ def compare(what, expected, found, tolerance=1e-6):
     check(what + ": the same values", worst <= tolerance, f"{where} differs by {worst}")
 
 
+def area_and_integrals(directory):
+    """Area, and integrals of pressure, strain rate and speed over the last snapshot in the plane."""
+    path = read_pvd(os.path.join(directory, "out", "solution.pvd"))[-1][1]
+    mesh = read_vtu(path)
+    a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
+    areas = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    speed = np.linalg.norm(mesh.point_data["velocity"], axis=1)
+    return path.suffix, np.array([len(areas), areas.sum(), areas @ mesh.point_data["strain_rate"][mesh.triangles].mean(axis=1),
+                                  areas @ mesh.point_data["pressure"][mesh.triangles].mean(axis=1),
+                                  areas @ speed[mesh.triangles].mean(axis=1)])
+
+
 def same_on_all(name):
     with tempfile.TemporaryDirectory() as parent:
         results = {}
@@ -116,6 +133,10 @@ def same_on_all(name):
             results[n_ranks] = read_statistics(directory)
         compare(f"{name}: 2 ranks and 1", results[1], results[2])
         compare(f"{name}: 3 ranks and 1", results[1], results[3])
+        if name != "space":
+            (suffix, whole), (several, pieces) = (area_and_integrals(os.path.join(parent, n)) for n in "13")
+            check(f"{name}: pieces for several ranks", (suffix, several) == (".vtu", ".pvtu"), suffix, several)
+            check(f"{name}: the pieces are the whole", np.allclose(whole, pieces, rtol=1e-5, atol=0), whole, pieces)
 
 
 def resume():

@@ -17,16 +17,18 @@ namespace Lahar
    * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part.
    *
    * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate,
-   * effective_viscosity, yielded. Files are written under a temporary name first, so that each that has its final name
-   * is complete.
+   * effective_viscosity, yielded. On several ranks each writes a piece of the fluid, solution-NNNNN.R.vtu, and
+   * solution-NNNNN.pvtu lists them. Files are written under a temporary name first, so that each that has its final
+   * name is complete.
    */
   template <int dim>
   class Visualization
   {
   public:
     /// @param directory output directory, which exists.
-    explicit Visualization(const std::string &directory);
+    Visualization(const std::string &directory, const MPI_Comm &communicator);
 
+    /// Collective. @throws RunError if a file cannot be written.
     void write(const Snapshot<dim> &snapshot);
 
     /// What was written so far.
@@ -51,10 +53,13 @@ namespace Lahar
       }
     };
 
-    void write_fluid(const Snapshot<dim> &snapshot, const std::string &file_name) const;
+    /// Each rank its piece, then the list. @return the name of the file with all of the fluid.
+    std::string write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const;
+    void write_piece(const Snapshot<dim> &snapshot, const std::string &name, const unsigned int n_pieces) const;
     void write_records() const;
 
     std::string directory;
+    MPI_Comm communicator;
     unsigned int n_written = 0;
     std::vector<Record> records;
   };

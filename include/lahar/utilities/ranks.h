@@ -19,6 +19,9 @@ namespace Lahar
    */
   void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action);
 
+  /// The same for what all ranks do: the message is that of the lowest rank that threw.
+  void on_all_ranks(const MPI_Comm &communicator, const std::function<void()> &action);
+
   /// The largest of the ranks' values and its place; of equal values that of the lowest rank. Collective.
   template <int dim>
   std::pair<double, Point<dim>> largest_of_all(const double value, const Point<dim> &place,
