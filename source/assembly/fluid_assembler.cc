@@ -80,6 +80,7 @@ namespace Lahar
     FluidCell<dim> cell;
     state.stabilization.resize(mesh.n_cells());
     state.stabilization_viscosity.resize(mesh.n_cells());
+    state.left_out.assign(mesh.n_cells(), false);
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
@@ -136,6 +137,8 @@ namespace Lahar
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      if (state.left_out[c])
+        continue;
       const Simplex<dim> &vertices = mesh.cells()[c];
       gather(vertices, state, cell);
       cell.reinit(corners_of<dim>(vertices, state.position), false);
@@ -154,6 +157,23 @@ namespace Lahar
                                 std::max(cell.strain_rate, std::numeric_limits<double>::min());
       base[c]  = 2. * f.value * cell.deviator;
       slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
+    }
+  }
+
+
+
+  template <int dim>
+  void FluidAssembler<dim>::leave_out(const FluidCell<dim> &cell, CellSystem<dim> &system)
+  {
+    system.clear();
+    const double part = cell.old_volume / (dim + 1.);
+    for (unsigned int I = 0; I <= dim; ++I)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        system.matrix[I * (dim + 1) + a][I * (dim + 1) + a] = cell.law->density() * part *
+                                                              cell.factors.acceleration_factor;
+      system.matrix[I * (dim + 1) + dim][I * (dim + 1) + dim] = cell.stabilization *
+                                                                std::pow(part, 1. - 2. / dim);
     }
   }
 
@@ -187,11 +207,17 @@ namespace Lahar
       gather(mesh.cells()[c], state, cell);
       const auto corners = corners_of<dim>(mesh.cells()[c], state.position);
       cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
+      cell.stabilization = state.stabilization[c];
+      if (state.left_out[c])
+      {
+        leave_out(cell, cell_system);
+        system.add(c, cell_system.matrix, cell_system.residual);
+        continue;
+      }
       cell.reinit(corners, linearization.motion &&
                              signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
       if (!(cell.volume > 0.))
         return false;
-      cell.stabilization       = state.stabilization[c];
       cell.residual_projection = Tensor<1, dim>();
       for (const unsigned int v : mesh.cells()[c])
         cell.residual_projection += state.residual_projection[v] / (dim + 1.);

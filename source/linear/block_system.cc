@@ -107,18 +107,16 @@ namespace Lahar
     };
     pressure_graph.reinit(local_numbers.size(), {list_of(numbered_cells)});
     find_places(pressure_graph, numbered_cells, places);
+    all_graph = NodalGraph();
+    velocity_places.clear();
+    solid_places.clear();
     if (nodes_per_solid_cell == 0)
-    {
-      all_graph       = pressure_graph;
-      velocity_places = places;
       return;
-    }
     const CellList solid_list{local_solid_cells.data(),
                               static_cast<unsigned int>(local_solid_cells.size() / nodes_per_solid_cell),
                               nodes_per_solid_cell};
     all_graph.reinit(nodes.size(), {list_of(local_cells), solid_list});
     find_places(all_graph, local_cells, velocity_places);
-    solid_places.clear();
     for (unsigned int c = 0; c < solid_list.n_cells; ++c)
       for (const unsigned int *I = solid_list.begin(c); I != solid_list.end(c); ++I)
         for (const unsigned int *J = solid_list.begin(c); J != solid_list.end(c); ++J)
@@ -140,7 +138,7 @@ namespace Lahar
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
       {
-        make_nodal_matrix(row == 0 && column == 0 ? all_graph : pressure_graph, unknowns[row],
+        make_nodal_matrix(row == 0 && column == 0 ? velocity_graph() : pressure_graph, unknowns[row],
                           unknowns[column], node_partition.communicator(), block_matrix.block(row, column));
         block_values[row][column] = values_of(block_matrix.block(row, column));
       }
@@ -183,8 +181,9 @@ namespace Lahar
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
       {
-        const std::size_t n_entries = (row == 0 && column == 0 ? all_graph.row_start[node_partition.n_own()]
-                                                               : pressure_graph.row_start[n_own_pressures]);
+        const std::size_t n_entries = (row == 0 && column == 0
+                                         ? velocity_graph().row_start[node_partition.n_own()]
+                                         : pressure_graph.row_start[n_own_pressures]);
         std::fill_n(block_values[row][column], n_entries * components[row] * components[column], 0.);
       }
     std::fill(halo_gradient.begin(), halo_gradient.end(), 0.);
@@ -231,8 +230,9 @@ namespace Lahar
       if (!own)
         continue;
 
-      double *K_rows = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node]);
-      const std::size_t K_degree = all_graph.degree(node);
+      double *K_rows = block_values[0][0] +
+                       dim * dim * static_cast<std::size_t>(velocity_graph().row_start[node]);
+      const std::size_t K_degree = velocity_graph().degree(node);
       for (unsigned int a = 0; a < dim; ++a)
         rhs_values[0][dim * node + a] -= local_residual[I * n_corners + a];
       rhs_values[1][number] -= local_residual[I * n_corners + dim];
@@ -240,7 +240,7 @@ namespace Lahar
       for (unsigned int J = 0; J < n_corners; ++J)
       {
         const unsigned int place   = places[k][I * n_corners + J],
-                           K_place = velocity_places[k][I * n_corners + J];
+                           K_place = (has_solids() ? velocity_places : places)[k][I * n_corners + J];
         for (unsigned int a = 0; a < dim; ++a)
         {
           const double *row = &local_matrix[I * n_corners + a][J * n_corners];

@@ -24,6 +24,7 @@ namespace Lahar
     const bool changed = new_cells != cells_of_particles;
     if (changed)
     {
+      ++n_changes;
       cells_of_particles = std::move(new_cells);
 
       std::vector<unsigned int> particle_to_vertex(cloud.size(), 0);
@@ -63,6 +64,7 @@ namespace Lahar
       vertex_to_particle.push_back(whole.particle(v));
       positions.push_back(whole.positions[v]);
     }
+    ++n_changes;
     cells_of_particles.clear();
     vertex_cells.clear();
     faces.clear();

@@ -81,13 +81,24 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<unsigned int> FluidStep<dim>::shrinking_cells(const std::vector<double> &from) const
+  {
+    std::vector<unsigned int> cells;
+    const std::vector<double> to = new_volumes();
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (!(to[c] > smallest_volume_ratio * from[c]) && !state.left_out[c])
+        cells.push_back(c);
+    return cells;
+  }
+
+
+
+  template <int dim>
   std::vector<unsigned int> FluidStep<dim>::shrinking_vertices(const std::vector<double> &from) const
   {
     std::vector<unsigned int> vertices;
-    const std::vector<double> to = new_volumes();
-    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (!(to[c] > smallest_volume_ratio * from[c]))
-        vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
+    for (const unsigned int c : shrinking_cells(from))
+      vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;

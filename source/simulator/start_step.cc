@@ -31,6 +31,7 @@ namespace Lahar
     }
     fluid.start(*mesh, cloud, time_integration, arrives_here);
     held_vertices.start_step(can_be_held);
+    crushed_cells.start_step(mesh->n_cells());
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
     pressure_change.assign(mesh->n_vertices(), 0.);
 
@@ -88,12 +89,12 @@ namespace Lahar
     solid.get_positions(positions);
     for (unsigned int v = 0; v < whole_mesh->n_vertices(); ++v)
       positions[v] = cloud.position[whole_mesh->particle(v)];
-    if (whole_mesh->cells() != numbered_cells || solid.nodes() != numbered_solid_nodes)
+    if (whole_mesh->connectivity_number() != connectivity_number || solid.nodes() != numbered_solid_nodes)
     {
       TimerOutput::Scope scope(timer, "Set up system");
-      numbered_cells       = whole_mesh->cells();
+      connectivity_number  = whole_mesh->connectivity_number();
       numbered_solid_nodes = solid.nodes();
-      system.reinit(whole_mesh->n_vertices(), numbered_cells, solid.n_own_nodes(), solid.cells(),
+      system.reinit(whole_mesh->n_vertices(), whole_mesh->cells(), solid.n_own_nodes(), solid.cells(),
                     solid.nodes_per_cell(), positions);
       solution = system.make_vector();
     }
@@ -116,12 +117,16 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints)
   {
+    is_solid.assign(system.partition().nodes().size(), false);
     constraints.clear();
     for (const unsigned int node : system.partition().nodes())
       constraints.push_back(node < vertex_constraints.size() ? vertex_constraints[node]
                                                              : NodeConstraint<dim>());
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
+    {
       constraints[node] = solid.constraint(i);
+      is_solid[node]    = true;
+    }
     fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
     system.set_constraints(constraints);
   }

@@ -119,6 +119,8 @@ namespace Lahar
   unsigned int StepProblem<dim>::solve(const double negligible)
   {
     TimerOutput::Scope scope(timer, "Solve");
+    for (auto *old : {&base_dual, &dual_change}) // the solver needs the memory
+      std::vector<SymmetricTensor<2, dim>>().swap(*old);
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
     const double v_scale = std::max(velocity_norm,
@@ -173,6 +175,8 @@ namespace Lahar
       for (unsigned int l = 0; l < n_nodes; ++l)
         velocities[l] = base_velocity[l] + lengths[l] * velocity_change[l];
       fluid.move(by_vertex(velocities));
+      if (length == 1. && !damped)
+        crushed_cells.note(crushable_cells());
       any_shorter = false;
       for (const unsigned int v : fluid.shrinking_vertices(base_volumes))
         if (double &own_length = lengths[system.local_number(v)]; own_length > 0.)
@@ -201,8 +205,25 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<unsigned int> StepProblem<dim>::crushable_cells() const
+  {
+    std::vector<unsigned int> result = fluid.shrinking_cells(base_volumes);
+    const auto gives_way             = [&](const unsigned int c) {
+      return std::any_of(mesh->cells()[c].begin(), mesh->cells()[c].end(), [&](const unsigned int v) {
+        const unsigned int node = system.local_number(v);
+        return constraints[node].n_fixed < dim && !is_solid[node];
+      });
+    };
+    result.erase(std::remove_if(result.begin(), result.end(), gives_way), result.end());
+    return result;
+  }
+
+
+
+  template <int dim>
   void StepProblem<dim>::hold_blocked_vertices()
   {
+    crushed_cells.update(fluid.state.left_out);
     if (held_vertices.update(system.partition(), constraints))
     {
       fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);

@@ -80,7 +80,7 @@ Result compute(const double m, const unsigned int n, const std::vector<double> &
   Tensor<1, dim> gravity;
   gravity[0] = 1.;
   Stokes<dim> stokes(mesh, film.cloud, *law, gravity, 1e-4, "");
-  for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+  for (unsigned int v = 0; v < stokes.mesh.n_vertices(); ++v)
     stokes.constraints[v] = constraint<dim>(stokes.state.position[v], double(n_wide) / n);
   Result result;
   result.n_iterations = stokes.solve(ViscosityLinearization::picard, 1e-9, 400);
@@ -88,9 +88,10 @@ Result compute(const double m, const unsigned int n, const std::vector<double> &
   // Along the column in the middle: the profile at the nodes is joined by straight lines.
   const unsigned int refinement = (exact.size() - 1) / n;
   std::vector<double> u(n + 1);
-  for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
-    if (mesh.particle(v) % film.layer_size() == film.layer_size() / 2)
-      u[mesh.particle(v) / film.layer_size()] = stokes.state.velocity[v][0];
+  for (unsigned int v = 0; v < stokes.system.partition().n_own(); ++v)
+    if (stokes.mesh.particle(v) % film.layer_size() == film.layer_size() / 2)
+      u[stokes.mesh.particle(v) / film.layer_size()] = stokes.state.velocity[v][0];
+  Utilities::MPI::sum(u, MPI_COMM_WORLD, u);
   for (unsigned int j = 0; j < n; ++j)
   {
     result.mean += 0.5 * (u[j] + u[j + 1]) / n;

@@ -18,12 +18,12 @@ double mass_residual(const Film<dim> &film, const FluidMesh<dim> &mesh, const Fl
   const double time_step = 1e-2;
   Stokes<dim> stokes(mesh, film.cloud, law, weight, time_step,
                      "subsection Stabilization\n set Form = " + form + "\nend\n");
-  for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+  for (unsigned int v = 0; v < stokes.mesh.n_vertices(); ++v)
   {
     const double y              = stokes.state.position[v][dim - 1];
     stokes.state.velocity[v][0] = y * (1. - 0.5 * y);
   }
-  stokes.assembler.set_stabilization(mesh, law, weight, stokes.state);
+  stokes.set_stabilization();
   stokes.system.set_constraints(stokes.constraints);
   stokes.assemble(ViscosityLinearization::picard);
   double largest = 0.;

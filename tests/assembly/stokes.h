@@ -10,22 +10,26 @@ namespace Tests
 {
   /**
    * Creeping flow on a mesh that stands still: neither inertia nor motion of the geometry. The time step enters the
-   * stabilisation parameter and the compressibility.
+   * stabilisation parameter and the compressibility. On several ranks each has a part of the mesh.
    */
   template <int dim>
   class Stokes
   {
   public:
-    Stokes(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const FluidLaw &law,
+    Stokes(const FluidMesh<dim> &whole, const ParticleCloud<dim> &cloud, const FluidLaw &law,
            const Tensor<1, dim> &gravity, const double time_step, const std::string &parameters)
-      : mesh(mesh)
-      , law(law)
+      : law(law)
       , gravity(gravity)
       , system(MPI_COMM_WORLD)
     {
       parse(assembler, parameters);
       parse(solver, "subsection Direct\n set Tolerance = 0\nend\n");
 
+      std::vector<Point<dim>> positions;
+      for (const unsigned int particle : whole.particles())
+        positions.push_back(cloud.position[particle]);
+      system.reinit(whole.n_vertices(), whole.cells(), 0, {}, 0, positions);
+      mesh.reinit_part(whole, system.partition().nodes(), system.cells());
       const unsigned int n = mesh.n_vertices();
       for (unsigned int v = 0; v < n; ++v)
         state.position.push_back(cloud.position[mesh.particle(v)]);
@@ -36,8 +40,13 @@ namespace Tests
       state.factors                                                 = {time_step, 0.};
       state.position_factor                                         = std::vector<double>(n, 0.);
       constraints.resize(n);
-      system.reinit(n, mesh.cells());
+      set_stabilization();
+    }
+
+    void set_stabilization()
+    {
       assembler.set_stabilization(mesh, law, gravity, state);
+      system.partition().update(state.residual_projection);
     }
 
     /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return
@@ -60,7 +69,7 @@ namespace Tests
           state.velocity[v] += velocity_increments[v];
           state.pressure[v] += pressure_increments[v];
         }
-        if (largest < tolerance || iteration == max_iterations)
+        if (Utilities::MPI::max(largest, MPI_COMM_WORLD) < tolerance || iteration == max_iterations)
           return iteration;
       }
     }
@@ -73,7 +82,7 @@ namespace Tests
       assembler.assemble(mesh, law, gravity, state, linearization, system);
     }
 
-    const FluidMesh<dim> &mesh;
+    FluidMesh<dim> mesh; ///< what this rank knows
     const FluidLaw &law;
     Tensor<1, dim> gravity;
     FluidAssembler<dim> assembler;

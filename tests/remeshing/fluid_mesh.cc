@@ -70,6 +70,41 @@ void test_mesh()
         mesh.n_cells() == cells.size() && mesh.triangulation().n_active_cells() == cells.size());
   check(name + "vertices of the triangulation", mesh.triangulation().n_vertices() == mesh.n_vertices());
 
+  // Two parts: they know the boundary faces of the whole, and only these.
+  double volume        = 0.;
+  unsigned int n_faces = 0, n_free = 0;
+  bool is_part = true;
+  for (const bool first : {true, false})
+  {
+    std::vector<unsigned int> part_cells, vertices;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if ((c < mesh.n_cells() / 3) == first)
+        part_cells.push_back(c);
+    for (unsigned int v = mesh.n_vertices(); v-- > 0;) // in any order
+      if (std::any_of(part_cells.begin(), part_cells.end(), [&](const unsigned int c) {
+            return std::count(mesh.cells()[c].begin(), mesh.cells()[c].end(), v) > 0;
+          }))
+        vertices.push_back(v);
+    FluidMesh<dim> part;
+    part.reinit_part(mesh, vertices, part_cells);
+    volume += part.volume(shifted);
+    n_faces += part.boundary_faces().size();
+    for (const BoundaryFace &face : part.boundary_faces())
+      n_free += face.free_surface;
+    is_part = is_part && part.triangulation().n_active_cells() == part_cells.size();
+    for (unsigned int c = 0; c < part.n_cells(); ++c)
+      for (unsigned int I = 0; I <= dim; ++I)
+        is_part = is_part && part.particle(part.cells()[c][I]) == mesh.particle_cells()[part_cells[c]][I] &&
+                  part.triangulation().get_vertices()[part.cells()[c][I]] ==
+                    shifted.position[part.particle(part.cells()[c][I])];
+  }
+  check(name + "parts: cells and vertices", is_part);
+  check(name + "parts: volume", volume - 1., 1e-13);
+  check(name + "parts: boundary faces",
+        n_faces == mesh.boundary_faces().size() &&
+          n_free == std::count_if(mesh.boundary_faces().begin(), mesh.boundary_faces().end(),
+                                  [](const BoundaryFace &face) { return face.free_surface; }));
+
   const auto is_numbered = [&]() {
     bool numbered = mesh.dof_handler().n_dofs() == mesh.n_vertices();
     for (const auto &cell : mesh.dof_handler().active_cell_iterators())

@@ -34,7 +34,7 @@ namespace Lahar
     /**
      * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, h the edge of the equilateral simplex of the
      * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step; and π,
-     * see ResidualProjection, of the start of the step.
+     * see ResidualProjection, of the start of the step. No cell is left out.
      */
     void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
                            FluidState<dim> &state) const;
@@ -52,7 +52,8 @@ namespace Lahar
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
 
     /// Assemble; the cells of @p mesh are those that this rank adds to @p system, in its order. @return whether all
-    /// cells have positive volume; if not, the system is incomplete.
+    /// cells have positive volume; if not, the system is incomplete. Of cells that are left out there is the diagonal
+    /// alone, of inertia and stabilisation at the start of the step: what has no other cell keeps its values.
     bool assemble(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
                   const FluidState<dim> &state, const Linearization &linearization,
                   BlockSystem<dim> &system) const;
@@ -66,6 +67,7 @@ namespace Lahar
       projected_residual ///< ResidualStabilization
     };
 
+    static void leave_out(const FluidCell<dim> &cell, CellSystem<dim> &system);
     void gather(const Simplex<dim> &vertices, const FluidState<dim> &state, FluidCell<dim> &cell) const;
 
     Stabilization stabilization = Stabilization::projected_residual;

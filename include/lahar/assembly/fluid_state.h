@@ -13,7 +13,7 @@ namespace Lahar
   /**
    * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
    * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in
-   * it.
+   * it, and whether the cell is left out, see CrushedCells.
    */
   template <int dim>
   struct FluidState
@@ -30,6 +30,7 @@ namespace Lahar
     std::vector<double> stabilization, stabilization_viscosity;
     std::vector<Tensor<1, dim>> residual_projection; ///< by vertex, N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
+    std::vector<bool> left_out;
 
     StepFactors factors;
   };

@@ -157,9 +157,10 @@ namespace Lahar
       return pressure_graph;
     }
 
+    /// The same without solids.
     const NodalGraph &velocity_graph() const
     {
-      return all_graph;
+      return has_solids() ? all_graph : pressure_graph;
     }
 
     /// Counts the calls of reinit(): solvers keep what belongs to one sparsity pattern.
@@ -228,8 +229,8 @@ namespace Lahar
     std::vector<Cell> local_cells; ///< by local numbers
     std::vector<unsigned int> local_solid_cells;
     unsigned int nodes_per_solid_cell = 0;
-    NodalGraph pressure_graph, all_graph;
-    Places places, velocity_places; ///< of node J in the row of node I of the two graphs, by cell
+    NodalGraph pressure_graph, all_graph; ///< the latter with solids only
+    Places places, velocity_places;       ///< of node J in the row of node I of the two graphs, by cell
     std::vector<unsigned short> solid_places;
     unsigned int n_reinits = 0;
 

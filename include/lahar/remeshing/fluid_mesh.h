@@ -75,6 +75,12 @@ namespace Lahar
       archive &faces;
     }
 
+    /// Counts the changes of the connectivity.
+    unsigned int connectivity_number() const
+    {
+      return n_changes;
+    }
+
     /// Give the vertices the present positions of their particles.
     void move(const ParticleCloud<dim> &cloud);
 
@@ -154,6 +160,7 @@ namespace Lahar
     mutable DoFHandler<dim> dofs;
     mutable bool has_triangulation = true;
 
+    unsigned int n_changes = 0;
     std::vector<Simplex<dim>> cells_of_particles;
     std::vector<Simplex<dim>> vertex_cells;
     std::vector<unsigned int> vertex_to_particle;

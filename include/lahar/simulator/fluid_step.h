@@ -44,7 +44,10 @@ namespace Lahar
       return volumes(state.position);
     }
 
-    /// The vertices of cells that are inverted or have less than a fifth of the volumes @p from, ascending.
+    /// The cells that are inverted or have less than a fifth of the volumes @p from, but those that are left out.
+    std::vector<unsigned int> shrinking_cells(const std::vector<double> &from) const;
+
+    /// Their vertices, ascending.
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
 
     /// What a particle takes over from the end of the step: position, velocity, acceleration, pressure and its rate.

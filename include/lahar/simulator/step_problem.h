@@ -7,6 +7,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/simulator/crushed_cells.h>
 #include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/held_vertices.h>
 #include <lahar/simulator/solid_step.h>
@@ -66,7 +67,8 @@ namespace Lahar
      */
     void take_step(const double length);
 
-    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices.
+    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices, and cells that a solid
+    /// crushes are left out, see CrushedCells.
     void hold_blocked_vertices();
 
     /// Whether increments were halved in the last step.
@@ -151,6 +153,8 @@ namespace Lahar
   private:
     void reinit_system(const ParticleCloud<dim> &cloud);
     void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
+    /// The cells that cannot keep themselves from being crushed, of those that the present state would flatten.
+    std::vector<unsigned int> crushable_cells() const;
     /// Keep simplices from being flattened by the old velocities.
     void slow_down(std::vector<Tensor<1, dim>> &velocities);
     /// Whether something is so on all ranks.
@@ -183,13 +187,16 @@ namespace Lahar
     FluidStep<dim> fluid;
     SolidStep<dim> solid;
 
-    std::vector<Simplex<dim>> numbered_cells;
+    unsigned int connectivity_number =
+      numbers::invalid_unsigned_int; ///< of the mesh that the system was made for
     std::vector<unsigned int> numbered_solid_nodes;
     std::vector<Tensor<1, dim>> base_velocity, velocity_change;
     std::vector<double> base_pressure, pressure_change, base_volumes;
     bool damped = false;
     std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
     HeldVertices<dim> held_vertices;
+    CrushedCells crushed_cells;
+    std::vector<bool> is_solid; ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
