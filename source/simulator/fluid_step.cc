@@ -107,34 +107,17 @@ namespace Lahar
 
 
   template <int dim>
-  typename FluidStep<dim>::Values FluidStep<dim>::values(const unsigned int v) const
+  void FluidStep<dim>::accept(ParticleCloud<dim> &cloud) const
   {
-    Values result;
-    for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      result[d]           = state.position[v][d];
-      result[dim + d]     = state.velocity[v][d];
-      result[2 * dim + d] = state.acceleration[v][d];
+      const unsigned int i   = mesh->particle(v);
+      cloud.position[i]      = state.position[v];
+      cloud.velocity[i]      = state.velocity[v];
+      cloud.acceleration[i]  = state.acceleration[v];
+      cloud.pressure_rate[i] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
+      cloud.pressure[i]      = state.pressure[v];
     }
-    result[3 * dim]     = state.pressure[v];
-    result[3 * dim + 1] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
-    return result;
-  }
-
-
-
-  template <int dim>
-  void FluidStep<dim>::set_values(const double *values, const unsigned int particle,
-                                  ParticleCloud<dim> &cloud)
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      cloud.position[particle][d]     = values[d];
-      cloud.velocity[particle][d]     = values[dim + d];
-      cloud.acceleration[particle][d] = values[2 * dim + d];
-    }
-    cloud.pressure[particle]      = values[3 * dim];
-    cloud.pressure_rate[particle] = values[3 * dim + 1];
   }
 
 

@@ -16,6 +16,7 @@ namespace Lahar
     fluid_law        = &law;
     gravity          = new_gravity;
     time_integration = integration;
+    arriving         = arrives;
     solid.start(solids, *whole_mesh, time_integration.with_gamma(solids.newmark_gamma()), end_time);
     reinit_system(cloud);
     set_constraints(vertex_constraints);

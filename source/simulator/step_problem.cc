@@ -355,17 +355,30 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solids);
-    constexpr unsigned int n = FluidStep<dim>::n_values;
-    std::vector<double> own(n * system.partition().n_own());
-    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
+    if (mesh == whole_mesh)
+      fluid.accept(cloud);
+    else
     {
-      const auto values = fluid.values(v);
-      std::copy(values.begin(), values.end(), own.begin() + n * system.local_number(v));
+      // Velocities and pressures of all vertices; all else follows from them.
+      const NodePartition &partition = system.partition();
+      const auto velocity            = by_node(fluid.state.velocity);
+      const auto pressure            = by_node(fluid.state.pressure);
+      std::vector<double> own;
+      for (unsigned int l = 0; l < partition.n_own(); ++l)
+      {
+        own.insert(own.end(), velocity[l].begin_raw(), velocity[l].end_raw());
+        own.push_back(pressure[l]);
+      }
+      const std::vector<double> all = partition.gather(own.data(), dim + 1, {{0, system.n_fluid_nodes()}});
+      std::vector<Tensor<1, dim>> velocities(whole_mesh->n_vertices());
+      FluidStep<dim> whole;
+      whole.start(*whole_mesh, cloud, time_integration, arriving);
+      for (unsigned int i = 0; i < all.size(); ++i)
+        (i % (dim + 1) < dim ? velocities[i / (dim + 1)][i % (dim + 1)]
+                             : whole.state.pressure[i / (dim + 1)]) = all[i];
+      whole.move(velocities);
+      whole.accept(cloud);
     }
-    const std::vector<double> all = system.partition().gather(own.data(), n, {{0, system.n_fluid_nodes()}});
-    for (unsigned int v = 0; v < whole_mesh->n_vertices(); ++v)
-      FluidStep<dim>::set_values(all.data() + static_cast<std::size_t>(n) * v, whole_mesh->particle(v),
-                                 cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }
 

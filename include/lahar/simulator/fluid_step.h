@@ -5,7 +5,6 @@
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/simulator/time_integration.h>
 
-#include <array>
 #include <vector>
 
 namespace Lahar
@@ -50,14 +49,8 @@ namespace Lahar
     /// Their vertices, ascending.
     std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
 
-    /// What a particle takes over from the end of the step: position, velocity, acceleration, pressure and its rate.
-    static constexpr unsigned int n_values = 3 * dim + 2;
-    using Values                           = std::array<double, n_values>;
-
-    Values values(const unsigned int vertex) const;
-
-    /// Give a particle the values of its vertex.
-    static void set_values(const double *values, const unsigned int particle, ParticleCloud<dim> &cloud);
+    /// Write the end of the step to the mesh's particles.
+    void accept(ParticleCloud<dim> &cloud) const;
 
     FluidState<dim> state;
 

@@ -196,6 +196,7 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
+    std::vector<bool> arriving; ///< by vertex of the whole mesh
     std::vector<bool> is_solid; ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;
