@@ -4,6 +4,7 @@
 column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an elastic
           barrier, in space with the iterative solver; linear and nonlinear tolerances are tight, so that rounding is all
           that differs. The pieces of a snapshot are the whole.
+rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one.
 faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
           out of memory the others do not wait for ever.
@@ -72,7 +73,14 @@ subsection Geometry
 end
 """
 
-CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "space": SPACE + TIGHT}
+# The first step moves particles three times as far as this.
+CAUTIOUS = """
+set End time         = 0.005
+set Largest movement = 1e-3
+"""
+
+CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "space": SPACE + TIGHT,
+         "rejected": BARRIER + TIGHT + CAUTIOUS}
 
 # What measures convergence, not the flow.
 CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",
@@ -133,6 +141,8 @@ def same_on_all(name):
             results[n_ranks] = read_statistics(directory)
         compare(f"{name}: 2 ranks and 1", results[1], results[2])
         compare(f"{name}: 3 ranks and 1", results[1], results[3])
+        if name == "rejected":
+            check("rejected: steps were repeated", results[1]["Rejected steps"][-1] > 0)
         if name != "space":
             (suffix, whole), (several, pieces) = (area_and_integrals(os.path.join(parent, n)) for n in "13")
             check(f"{name}: pieces for several ranks", (suffix, several) == (".vtu", ".pvtu"), suffix, several)
