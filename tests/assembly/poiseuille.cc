@@ -117,7 +117,8 @@ struct Case
 template <int dim>
 void test(const Case &c, const std::vector<double> &exact)
 {
-  std::cout << "dim = " << dim << ", M = " << c.m << std::endl;
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cout << "dim = " << dim << ", M = " << c.m << std::endl;
   std::vector<Result> results;
   for (const unsigned int n : {8, 16, 32})
   {
@@ -141,7 +142,8 @@ int main(int argc, char **argv)
 
   for (const Case &c : {Case{100., 0.28375, 0.2114313}, Case{1000., 0.2815, 0.2109846}})
   {
-    std::cout << "M = " << c.m << std::endl;
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << "M = " << c.m << std::endl;
     const std::vector<double> exact = exact_profile(c.m, 3200);
     double mean                     = 0.;
     for (unsigned int k = 0; k < 3200; ++k)
