@@ -152,6 +152,24 @@ namespace Lahar
 
 
 
+  template <>
+  bool in_circumball<2>(const std::array<Point<2>, 3> &c, const Point<2> &p)
+  {
+    const auto point = CGALTypes<2>::point;
+    return Kernel().side_of_oriented_circle_2_object()(point(c[0]), point(c[1]), point(c[2]), point(p)) !=
+           CGAL::ON_NEGATIVE_SIDE;
+  }
+
+  template <>
+  bool in_circumball<3>(const std::array<Point<3>, 4> &c, const Point<3> &p)
+  {
+    const auto point = CGALTypes<3>::point;
+    return Kernel().side_of_oriented_sphere_3_object()(point(c[0]), point(c[1]), point(c[2]), point(c[3]),
+                                                       point(p)) != CGAL::ON_NEGATIVE_SIDE;
+  }
+
+
+
   std::vector<Simplex<2>> constrained_delaunay(const std::vector<Point<2>> &points,
                                                const std::vector<std::array<unsigned int, 2>> &segments,
                                                unsigned int &n_forced)

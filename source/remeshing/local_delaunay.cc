@@ -78,7 +78,12 @@ namespace Lahar
           continue;
         if (!tree)
           tree = std::make_unique<PointTree<dim>>(points, others);
-        const unsigned int nearest = tree->nearest_in_ball(centroid<dim>(corners), centre, radius, known);
+        // The centre of a flat simplex's ball is not exact: points near the surface are many, and only those that
+        // lie in the ball contradict.
+        const unsigned int nearest =
+          tree->nearest_in_ball(centroid<dim>(corners), centre, radius, [&](const unsigned int i) {
+            return !known[i] && in_circumball<dim>(corners, points[i]);
+          });
         if (nearest != numbers::invalid_unsigned_int)
         {
           known[nearest] = true;

@@ -104,7 +104,8 @@ namespace Lahar
 
   template <int dim>
   unsigned int PointTree<dim>::nearest_in_ball(const Point<dim> &target, const Point<dim> &centre,
-                                               const double radius, const std::vector<bool> &excluded) const
+                                               const double radius,
+                                               const std::function<bool(const unsigned int)> &counts) const
   {
     unsigned int nearest = numbers::invalid_unsigned_int;
     double shortest      = std::numeric_limits<double>::infinity();
@@ -130,8 +131,8 @@ namespace Lahar
       {
         const unsigned int i  = order[k];
         const double distance = points[i].distance_square(target);
-        if (!excluded[i] && points[i].distance_square(centre) <= radius * radius &&
-            (distance < shortest || (distance == shortest && i < nearest)))
+        if (points[i].distance_square(centre) <= radius * radius &&
+            (distance < shortest || (distance == shortest && i < nearest)) && counts(i))
         {
           nearest  = i;
           shortest = distance;

@@ -4,7 +4,7 @@ namespace Lahar
 {
   namespace
   {
-    constexpr unsigned int n_times_to_leave_out = 2;
+    constexpr unsigned int n_times_to_leave_out = 5;
   }
 
 

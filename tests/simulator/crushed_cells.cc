@@ -22,10 +22,13 @@ void test_rule()
     return left_out;
   };
   crushed.start_step(4);
-  check("once is not enough", iterate({1, 2}) == std::vector<bool>(4, false));
+  bool any = false;
+  for (unsigned int i = 0; i < 4; ++i)
+    any = any || iterate({1, 2}) != std::vector<bool>(4, false);
+  check("four times are not enough", !any);
   check("an iteration without changes nothing", iterate({}) == std::vector<bool>(4, false));
-  check("twice is", iterate({0, 2}) == std::vector<bool>({false, false, true, false}));
-  check("for the rest of the step", iterate({0}) == std::vector<bool>({true, false, true, false}));
+  check("five times are", iterate({0, 2}) == std::vector<bool>({false, false, true, false}));
+  check("for the rest of the step", iterate({1}) == std::vector<bool>({false, true, true, false}));
   crushed.start_step(4);
   left_out.assign(4, false);
   check("a new step begins anew", iterate({0, 1, 2, 3}) == std::vector<bool>(4, false));

@@ -64,6 +64,10 @@ namespace Lahar
     std::unique_ptr<Implementation> implementation;
   };
 
+  /// Whether a point lies in the circumball of a positively oriented simplex, its surface included; exact.
+  template <int dim>
+  bool in_circumball(const std::array<Point<dim>, dim + 1> &corners, const Point<dim> &point);
+
   /// The Delaunay simplices of all @p points.
   template <int dim>
   std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points);

@@ -22,8 +22,8 @@ namespace Lahar
    *   surface, unknown points are searched for; of each ball the one nearest to the simplex becomes known, and so on
    *   until there is none.
    *
-   * Balls are searched with a radius larger by 1e-6, beyond rounding; decisions are taken by exact predicates
-   * (DelaunayTriangulation).
+   * Balls are searched with a radius larger by 1e-6, beyond rounding; exact predicates decide which of the points
+   * found there lie in the ball.
    *
    * @return the simplices in no special order, their corners in canonical() order. Not collective.
    */

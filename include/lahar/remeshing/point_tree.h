@@ -4,6 +4,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <vector>
 
 namespace Lahar
@@ -23,10 +24,10 @@ namespace Lahar
 
     /**
      * The point in the ball (its surface included) that is nearest to @p target, of equally near ones that with the
-     * smallest index; numbers::invalid_unsigned_int if there is none. Points marked in @p excluded do not count.
+     * smallest index; numbers::invalid_unsigned_int if there is none. @p counts tells which points count.
      */
     unsigned int nearest_in_ball(const Point<dim> &target, const Point<dim> &centre, const double radius,
-                                 const std::vector<bool> &excluded) const;
+                                 const std::function<bool(const unsigned int)> &counts) const;
 
   private:
     /// Half of its parent's points: order[begin] … order[end−1]; its own halves are nodes first_half and first_half+1.
