@@ -3,6 +3,7 @@
 #include <lahar/linear/node_partition.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace Lahar
@@ -167,17 +168,18 @@ namespace Lahar
       for (const unsigned int *node = list.begin(0); node != list.begin(list.n_cells); ++node)
         ++weights[*node];
 
-    const auto curve = Utilities::inverse_Hilbert_space_filling_curve(positions, 21);
-    std::vector<unsigned int> order(n_nodes);
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
-      return curve[i] != curve[j] ? curve[i] < curve[j] : i < j;
-    });
+    // Along the curve, whose places have 10 bits a direction: ranks' borders need not be finer than a thousandth.
+    constexpr int bits = 10;
+    const auto curve   = Utilities::inverse_Hilbert_space_filling_curve(positions, bits);
+    std::vector<std::pair<std::uint64_t, unsigned int>> order(n_nodes);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      order[i] = {Utilities::pack_integers<dim>(curve[i], bits), i};
+    std::sort(order.begin(), order.end());
 
     const double all = std::accumulate(weights.begin(), weights.end(), 0.);
     std::vector<unsigned int> owners(n_nodes);
     double sum = 0.;
-    for (const unsigned int i : order)
+    for (const auto &[place, i] : order)
     {
       owners[i] = std::min<unsigned int>((sum + 0.5 * weights[i]) / all * n_ranks, n_ranks - 1);
       sum += weights[i];
