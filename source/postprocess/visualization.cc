@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace Lahar
 {
@@ -80,6 +81,7 @@ namespace Lahar
     const unsigned int n_cells  = snapshot.mesh.n_cells(),
                        n_pieces = std::min(Utilities::MPI::n_mpi_processes(communicator), n_cells),
                        piece    = Utilities::MPI::this_mpi_process(communicator);
+    std::string list;
     on_all_ranks(communicator, [&] {
       if (n_pieces == 1 && piece == 0)
         write_piece(snapshot, name, n_pieces);
@@ -94,19 +96,23 @@ namespace Lahar
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         FluidMesh<dim> part;
         part.reinit_part(snapshot.mesh, vertices, cells);
-        write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
-                     snapshot.solids, snapshot.solid_forces, snapshot.time},
-                    name, n_pieces);
+        list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
+                            snapshot.solids, snapshot.solid_forces, snapshot.time},
+                           name, n_pieces);
       }
     });
+    if (n_pieces > 1)
+      on_first_rank(communicator, [&] {
+        write_atomically(directory + "/" + name + ".pvtu", [&](std::ostream &file) { file << list; });
+      });
     return name + (n_pieces == 1 ? ".vtu" : ".pvtu");
   }
 
 
 
   template <int dim>
-  void Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &name,
-                                       const unsigned int n_pieces) const
+  std::string Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &name,
+                                              const unsigned int n_pieces) const
   {
     const FluidMesh<dim> &mesh      = snapshot.mesh;
     const ParticleCloud<dim> &cloud = snapshot.cloud;
@@ -156,14 +162,12 @@ namespace Lahar
     const unsigned int piece = Utilities::MPI::this_mpi_process(communicator);
     write_atomically(directory + "/" + piece_name(name, piece, n_pieces),
                      [&](std::ostream &file) { data_out.write_vtu(file); });
-    if (n_pieces > 1 && piece == 0)
-    {
-      std::vector<std::string> names;
-      for (unsigned int p = 0; p < n_pieces; ++p)
-        names.push_back(piece_name(name, p, n_pieces));
-      write_atomically(directory + "/" + name + ".pvtu",
-                       [&](std::ostream &file) { data_out.write_pvtu_record(file, names); });
-    }
+    std::vector<std::string> names;
+    for (unsigned int p = 0; p < n_pieces; ++p)
+      names.push_back(piece_name(name, p, n_pieces));
+    std::ostringstream list;
+    data_out.write_pvtu_record(list, names);
+    return list.str();
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <lahar/utilities/halo_exchange.h>
 
+#include <algorithm>
 #include <map>
 
 namespace Lahar

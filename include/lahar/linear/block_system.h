@@ -157,7 +157,7 @@ namespace Lahar
       return pressure_graph;
     }
 
-    /// The same without solids.
+    /// Neighbours by cells of all kinds; without solids the same as graph().
     const NodalGraph &velocity_graph() const
     {
       return has_solids() ? all_graph : pressure_graph;

@@ -55,8 +55,9 @@ namespace Lahar
 
     /// Each rank its piece, then the list. @return the name of the file with all of the fluid.
     std::string write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const;
-    void write_piece(const Snapshot<dim> &snapshot, const std::string &name,
-                     const unsigned int n_pieces) const;
+    /// @return the list of the pieces.
+    std::string write_piece(const Snapshot<dim> &snapshot, const std::string &name,
+                            const unsigned int n_pieces) const;
     void write_records() const;
 
     std::string directory;

@@ -35,8 +35,9 @@ namespace Lahar
   /**
    * Computes a case: creates the particles, makes time steps until the end time, writes the results.
    *
-   * step() is one time step from beginning to end. Every rank has all particles and both meshes and does the same with
-   * them; the ranks share the work of assembling and solving the linear systems (StepProblem). The first rank writes.
+   * step() is one time step from beginning to end. Between steps every rank has all particles and both meshes; the ranks
+   * share the step itself (StepProblem), parts of the remeshing (Remesher) and the snapshots (Visualization). The first
+   * rank writes all other files.
    */
   template <int dim>
   class Simulator
