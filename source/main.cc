@@ -258,8 +258,9 @@ namespace
       simulator.resume();
     if (line.check)
     {
+      const std::string sizes = simulator.sizes();
       if (is_first_rank(MPI_COMM_WORLD))
-        std::cout << simulator.sizes() << std::endl;
+        std::cout << sizes << std::endl;
       return;
     }
     on_first_rank(MPI_COMM_WORLD, [&] { prepare_output(prm, prm.get("Output directory")); });

@@ -217,7 +217,7 @@ namespace Lahar
         put_before(nearest_facet(cloud.position[i]), i, cloud);
         put = true;
       }
-      n_put += put;
+      n_put += (put && cloud.is_own(i));
     }
     return n_put;
   }

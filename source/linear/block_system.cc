@@ -30,14 +30,16 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
+  void BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
                                 const unsigned int n_solid_nodes,
                                 const std::vector<unsigned int> &solid_cells,
                                 const unsigned int new_nodes_per_solid_cell,
-                                const std::vector<Point<dim>> &positions)
+                                const std::vector<Point<dim>> &positions,
+                                const std::vector<unsigned int> &owners,
+                                const std::vector<std::uint64_t> &keys)
   {
     nodes_per_solid_cell             = new_nodes_per_solid_cell;
-    n_pressures                      = n_fluid_nodes;
+    n_fluid_nodes                    = new_n_fluid_nodes;
     const unsigned int n_nodes       = n_fluid_nodes + n_solid_nodes,
                        n_solid_cells = solid_cells.empty() ? 0 : solid_cells.size() / nodes_per_solid_cell;
     Assert(positions.size() == n_nodes || (positions.empty() && n_solid_cells == 0),
@@ -47,11 +49,10 @@ namespace Lahar
     const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
                                           static_cast<unsigned int>(cells.size()), n_corners},
                                          {solid_cells.data(), n_solid_cells, nodes_per_solid_cell}};
-    const unsigned int n_ranks        = Utilities::MPI::n_mpi_processes(node_partition.communicator());
-    node_partition.reinit(n_nodes,
-                          n_ranks > 1 && !positions.empty() ? share_nodes(positions, lists, n_ranks)
-                                                            : std::vector<unsigned int>(),
-                          lists);
+    if (owners.empty())
+      node_partition.reinit(n_nodes, lists);
+    else
+      node_partition.reinit(owners, keys, lists);
     own_positions.resize(positions.empty() ? 0 : node_partition.n_own());
     set_positions(positions);
 
@@ -91,11 +92,15 @@ namespace Lahar
     local_numbers.clear();
     for (unsigned int l = 0; l < nodes.size(); ++l)
     {
-      if (nodes[l] < n_pressures)
+      if (nodes[l] < n_fluid_nodes)
         local_numbers.push_back(l);
       fluid_numbers.push_back(local_numbers.size());
     }
     n_own_pressures = fluid_numbers[node_partition.n_own()];
+    std::vector<bool> has_pressure;
+    for (const unsigned int node : nodes)
+      has_pressure.push_back(node < n_fluid_nodes);
+    n_pressures_before = node_partition.count_before(has_pressure);
 
     std::vector<Cell> numbered_cells = local_cells;
     for (Cell &cell : numbered_cells)
@@ -129,11 +134,11 @@ namespace Lahar
   void BlockSystem<dim>::make_matrices()
   {
     const unsigned int n_own = node_partition.n_own(), n_rows = node_partition.n_with_rows();
-    std::vector<unsigned int> fluid_nodes;
+    std::vector<unsigned int> pressures;
     for (const unsigned int l : local_numbers)
-      fluid_nodes.push_back(node_partition.nodes()[l]);
-    const NodalUnknowns unknowns[2] = {{node_partition.nodes(), n_own, n_rows, dim},
-                                       {fluid_nodes, n_own_pressures, fluid_numbers[n_rows], 1}};
+      pressures.push_back(n_pressures_before[l]);
+    const NodalUnknowns unknowns[2] = {{node_partition.global_numbers(), n_own, n_rows, dim},
+                                       {pressures, n_own_pressures, fluid_numbers[n_rows], 1}};
     block_matrix.reinit(2, 2);
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int column = 0; column < 2; ++column)
@@ -152,13 +157,18 @@ namespace Lahar
   template <int dim>
   typename BlockSystem<dim>::Vector BlockSystem<dim>::make_vector() const
   {
-    IndexSet velocities(dim * n_nodes()), pressures(n_pressures);
-    for (unsigned int l = 0; l < node_partition.n_own(); ++l)
+    const unsigned int n_own = node_partition.n_own();
+    IndexSet velocities(dim * n_nodes()),
+      pressures(Utilities::MPI::sum(n_own_pressures, node_partition.communicator()));
+    if (n_own > 0)
     {
-      const unsigned int node = node_partition.nodes()[l];
-      velocities.add_range(dim * node, dim * (node + 1));
-      if (node < n_pressures)
-        pressures.add_index(node);
+      const unsigned int first = node_partition.global_numbers()[0];
+      velocities.add_range(dim * first, dim * (first + n_own));
+    }
+    if (n_own_pressures > 0)
+    {
+      const unsigned int first = n_pressures_before[local_numbers[0]];
+      pressures.add_range(first, first + n_own_pressures);
     }
     return Vector({velocities, pressures}, node_partition.communicator());
   }

@@ -96,13 +96,6 @@ namespace Lahar
 
   namespace
   {
-    /// Whether a node, by local number, has a pressure.
-    template <int dim>
-    bool is_fluid(const BlockSystem<dim> &system, const unsigned int node)
-    {
-      return system.partition().nodes()[node] < system.n_fluid_nodes();
-    }
-
     /// First unknown of a node where the unknowns of a node stand side by side: a velocity each, a pressure in the
     /// fluid, of which @p n_fluid_before nodes have smaller numbers.
     template <int dim>
@@ -122,7 +115,7 @@ namespace Lahar
     {
       const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
       const unsigned int number   = system.fluid_number(node);
-      const unsigned int n_fluid  = is_fluid(system, node) ? fluid.degree(number) : 0;
+      const unsigned int n_fluid  = system.is_fluid(node) ? fluid.degree(number) : 0;
       const unsigned int *columns = n_fluid > 0 ? &fluid.columns[fluid.row_start[number]] : nullptr;
       for (unsigned int k = 0, l = 0; k < all.degree(node); ++k)
       {
@@ -137,13 +130,13 @@ namespace Lahar
     std::unique_ptr<Epetra_CrsMatrix> make_interleaved(const BlockSystem<dim> &system)
     {
       const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
-      const std::vector<unsigned int> &nodes = system.partition().nodes();
-      const unsigned int n_own               = system.partition().n_own();
+      const unsigned int n_own = system.partition().n_own();
 
       std::vector<int> unknowns;
       for (unsigned int i = 0; i < system.partition().n_with_rows(); ++i)
-        for (unsigned int a = 0; a < dim + (is_fluid(system, i) ? 1U : 0U); ++a)
-          unknowns.push_back(first_unknown<dim>(nodes[i], std::min(nodes[i], system.n_fluid_nodes())) + a);
+        for (unsigned int a = 0; a < dim + (system.is_fluid(i) ? 1U : 0U); ++a)
+          unknowns.push_back(
+            first_unknown<dim>(system.partition().global_numbers()[i], system.pressures_before()[i]) + a);
       const auto &communicator = system.matrix().block(0, 0).trilinos_matrix().Comm();
       const Epetra_Map rows(-1, static_cast<int>(first_unknown<dim>(n_own, system.n_own_fluid_nodes())),
                             unknowns.data(), 0, communicator),
@@ -152,9 +145,9 @@ namespace Lahar
       std::vector<int> row_lengths;
       for (unsigned int i = 0; i < n_own; ++i)
       {
-        const unsigned int n_fluid = is_fluid(system, i) ? fluid.degree(system.fluid_number(i)) : 0;
+        const unsigned int n_fluid = system.is_fluid(i) ? fluid.degree(system.fluid_number(i)) : 0;
         row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i) + n_fluid);
-        if (is_fluid(system, i))
+        if (system.is_fluid(i))
           row_lengths.push_back((dim + 1) * n_fluid);
       }
       auto matrix = std::make_unique<Epetra_CrsMatrix>(Copy, rows, column_map, row_lengths.data(), true);
@@ -180,7 +173,7 @@ namespace Lahar
         const unsigned int row = first_unknown<dim>(i, system.fluid_number(i));
         for (unsigned int a = 0; a < dim; ++a)
           matrix->InsertMyValues(row + a, velocity_row.size(), zeros.data(), velocity_row.data());
-        if (is_fluid(system, i))
+        if (system.is_fluid(i))
           matrix->InsertMyValues(row + dim, pressure_row.size(), zeros.data(), pressure_row.data());
       }
       matrix->FillComplete(rows, rows);
@@ -207,7 +200,7 @@ namespace Lahar
                 *values++ = *K++;
             },
             [&](const unsigned int) { *values++ = *Q++; });
-        if (is_fluid(system, i))
+        if (system.is_fluid(i))
           for (unsigned int k = 0; k < system.graph().degree(system.fluid_number(i)); ++k)
           {
             for (unsigned int b = 0; b < dim; ++b)

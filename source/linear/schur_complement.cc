@@ -9,13 +9,12 @@ namespace Lahar
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix> make_schur_complement(const BlockSystem<dim> &system)
   {
-    const NodePartition &partition             = system.partition();
     const std::vector<unsigned int> &row_start = system.graph().row_start, &columns = system.graph().columns;
     const double *C = system.values(1, 0), *H = system.values(1, 1);
 
     std::vector<int> global_numbers;
     for (unsigned int number = 0; number < system.graph().n_rows(); ++number)
-      global_numbers.push_back(partition.nodes()[system.local_number(number)]);
+      global_numbers.push_back(system.pressures_before()[system.local_number(number)]);
     const Epetra_Map rows(-1, static_cast<int>(system.n_own_fluid_nodes()), global_numbers.data(), 0,
                           system.matrix().block(0, 0).trilinos_matrix().Comm());
     auto schur = std::make_unique<Epetra_CrsMatrix>(Copy, rows, 0);

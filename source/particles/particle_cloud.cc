@@ -6,6 +6,21 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    template <typename T>
+    void compress(std::vector<T> &values, const std::vector<bool> &removed)
+    {
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (!removed[i])
+          values[n++] = values[i];
+      values.resize(n);
+    }
+  } // namespace
+
+
+
   template <int dim>
   unsigned int ParticleCloud<dim>::append(const Point<dim> &new_position, const ParticleKind new_kind,
                                           const double new_spacing)
@@ -19,6 +34,8 @@ namespace Lahar
     spacing.push_back(new_spacing);
     slip_facets.emplace_back();
     slip_facets.back().fill(no_facet);
+    number.push_back(next_number++);
+    owner.push_back(rank);
     return size() - 1;
   }
 
@@ -33,6 +50,7 @@ namespace Lahar
     acceleration[i]      = 0.5 * (acceleration[a] + acceleration[b]);
     pressure[i]          = 0.5 * (pressure[a] + pressure[b]);
     pressure_rate[i]     = 0.5 * (pressure_rate[a] + pressure_rate[b]);
+    owner[i]             = owner[a];
 
     unsigned int n_shared = 0;
     for (const int facet : slip_facets[a])
@@ -41,21 +59,6 @@ namespace Lahar
         slip_facets[i][n_shared++] = facet;
     return i;
   }
-
-
-
-  namespace
-  {
-    template <typename T>
-    void compress(std::vector<T> &values, const std::vector<bool> &removed)
-    {
-      std::size_t n = 0;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        if (!removed[i])
-          values[n++] = values[i];
-      values.resize(n);
-    }
-  } // namespace
 
 
 
@@ -76,7 +79,84 @@ namespace Lahar
     compress(kind, removed);
     compress(spacing, removed);
     compress(slip_facets, removed);
+    compress(number, removed);
+    compress(owner, removed);
     return new_index;
+  }
+
+
+
+  template <int dim>
+  typename ParticleCloud<dim>::Record ParticleCloud<dim>::record(const unsigned int i) const
+  {
+    Record result;
+    double *value = result.data();
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      *value++ = position[i][d];
+      *value++ = velocity[i][d];
+      *value++ = acceleration[i][d];
+      *value++ = slip_facets[i][d];
+    }
+    for (const double x : {pressure[i], pressure_rate[i], spacing[i], static_cast<double>(kind[i]),
+                           static_cast<double>(number[i]), static_cast<double>(owner[i])})
+      *value++ = x;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void ParticleCloud<dim>::set(const unsigned int i, const Record &record)
+  {
+    const double *value = record.data();
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      position[i][d]     = *value++;
+      velocity[i][d]     = *value++;
+      acceleration[i][d] = *value++;
+      slip_facets[i][d]  = static_cast<int>(*value++);
+    }
+    pressure[i]      = *value++;
+    pressure_rate[i] = *value++;
+    spacing[i]       = *value++;
+    kind[i]          = static_cast<ParticleKind>(*value++);
+    number[i]        = static_cast<std::uint64_t>(*value++);
+    owner[i]         = static_cast<unsigned int>(*value++);
+  }
+
+
+
+  template <int dim>
+  void ParticleCloud<dim>::append(const Record &record)
+  {
+    const std::uint64_t unchanged = next_number;
+    const unsigned int i          = append(Point<dim>(), ParticleKind::fluid, 0.);
+    set(i, record);
+    next_number = unchanged;
+  }
+
+
+
+  template <int dim>
+  unsigned int ParticleCloud<dim>::find(const std::uint64_t particle_number) const
+  {
+    const auto place = std::lower_bound(number.begin(), number.end(), particle_number);
+    return place != number.end() && *place == particle_number ? place - number.begin()
+                                                              : numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  unsigned int ParticleCloud<dim>::owner_of(const std::array<unsigned int, dim + 1> &cell) const
+  {
+    unsigned int first_fluid = numbers::invalid_unsigned_int;
+    for (const unsigned int i : cell)
+      if (kind[i] == ParticleKind::fluid)
+        first_fluid = std::min(first_fluid, i);
+    Assert(first_fluid < size(), ExcMessage("The cell has no fluid particle."));
+    return owner[first_fluid];
   }
 
 
@@ -84,7 +164,10 @@ namespace Lahar
   template <int dim>
   unsigned int ParticleCloud<dim>::n_particles(const ParticleKind wanted) const
   {
-    return std::count(kind.begin(), kind.end(), wanted);
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < size(); ++i)
+      n += (kind[i] == wanted && is_own(i));
+    return n;
   }
 
 

@@ -26,6 +26,8 @@ namespace Lahar
     double kinetic = 0., potential = 0.;
     for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
     {
+      if (!snapshot.cloud.is_own(cell))
+        continue;
       const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
       const double mass  = snapshot.law.density() * signed_volume<dim>(corners);
       // ∫ N_I N_J = V (1 + δ_IJ)/((dim+1)(dim+2)), so ∫ |v|² = V (|Σ v_I|² + Σ |v_I|²)/((dim+1)(dim+2)).
@@ -39,8 +41,8 @@ namespace Lahar
       kinetic += 0.5 * mass * (sum.norm_square() + sum_of_squares) / ((dim + 1) * (dim + 2));
       potential -= mass * (snapshot.gravity * centroid<dim>(corners));
     }
-    add_to_column(statistics, "Kinetic energy (J)", kinetic);
-    add_to_column(statistics, "Potential energy (J)", potential);
+    add_to_column(statistics, "Kinetic energy (J)", snapshot.sum_of_ranks(kinetic));
+    add_to_column(statistics, "Potential energy (J)", snapshot.sum_of_ranks(potential));
   }
 
 

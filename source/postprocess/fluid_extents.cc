@@ -1,9 +1,8 @@
 #include <lahar/geometry/box.h>
 #include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>
+#include <lahar/remeshing/connected_parts.h>
 #include <lahar/utilities/factory.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -144,19 +143,23 @@ namespace Lahar
   template <int dim>
   std::vector<bool> FluidExtents<dim>::counted(const Snapshot<dim> &snapshot) const
   {
-    const unsigned int n_vertices = snapshot.mesh.n_vertices();
-    boost::disjoint_sets_with_storage<> parts(n_vertices);
-    for (const Simplex<dim> &cell : snapshot.mesh.cells())
+    const ParticleCloud<dim> &cloud = snapshot.cloud;
+    ConnectedParts<dim> parts(cloud.size());
+    std::vector<double> n_cells(cloud.size(), 0.);
+    for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
+    {
       for (unsigned int I = 1; I <= dim; ++I)
-        parts.union_set(cell[0], cell[I]);
-    std::vector<unsigned int> size(n_vertices, 0);
-    for (const Simplex<dim> &cell : snapshot.mesh.cells())
-      ++size[parts.find_set(cell[0])];
+        parts.join(cell[0], cell[I]);
+      if (cloud.is_own(cell))
+        ++n_cells[cell[0]];
+    }
+    parts.connect(cloud, snapshot.migration);
+    n_cells = parts.sum(n_cells, snapshot.migration);
 
-    std::vector<bool> result(n_vertices);
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      result[v] = size[parts.find_set(v)] >= smallest_part &&
-                  snapshot.cloud.kind[snapshot.mesh.particle(v)] == ParticleKind::fluid;
+    std::vector<bool> result;
+    for (const unsigned int i : snapshot.mesh.particles())
+      result.push_back(n_cells[i] >= smallest_part && cloud.kind[i] == ParticleKind::fluid &&
+                       cloud.is_own(i));
     return result;
   }
 
@@ -165,21 +168,30 @@ namespace Lahar
   template <int dim>
   void FluidExtents<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
+    if (extents.empty())
+      return;
+    constexpr double nothing       = -std::numeric_limits<double>::max();
     const std::vector<bool> counts = counted(snapshot);
     for (const Extent &extent : extents)
     {
-      double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
+      double bounds[2] = {nothing, nothing}; // negative lower and upper one
       for (unsigned int v = 0; v < counts.size(); ++v)
       {
         const Point<dim> &position = snapshot.cloud.position[snapshot.mesh.particle(v)];
         if (!counts[v] || !extent.box.contains(position, 0.))
           continue;
         const double x = extent.direction * position;
-        lower          = std::fmin(lower, x);
-        upper          = std::fmax(upper, x);
+        bounds[0]      = std::max(bounds[0], -x);
+        bounds[1]      = std::max(bounds[1], x);
       }
-      add_to_column(statistics, extent.name + " (m)",
-                    extent.kind == Kind::max ? upper : (extent.kind == Kind::min ? lower : upper - lower));
+      Utilities::MPI::max(ArrayView<const double>(bounds, 2), snapshot.communicator(),
+                          ArrayView<double>(bounds, 2));
+      double value = extent.kind == Kind::max   ? bounds[1]
+                     : extent.kind == Kind::min ? -bounds[0]
+                                                : bounds[0] + bounds[1];
+      if (bounds[1] == nothing)
+        value = std::numeric_limits<double>::quiet_NaN();
+      add_to_column(statistics, extent.name + " (m)", value);
     }
   }
 

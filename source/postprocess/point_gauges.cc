@@ -3,6 +3,7 @@
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
+#include <cstdint>
 #include <limits>
 
 namespace Lahar
@@ -42,16 +43,18 @@ namespace Lahar
   template <int dim>
   void PointGauges<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
+    constexpr std::uint64_t nowhere = std::numeric_limits<std::uint64_t>::max();
+    const unsigned int n_ranks      = Utilities::MPI::n_mpi_processes(snapshot.communicator());
     for (const auto &[name, place] : points)
     {
       const Point<dim> &point = place[0];
-      double pressure         = std::numeric_limits<double>::quiet_NaN();
+      double pressure         = 0.;
       Tensor<1, dim> velocity;
-      for (unsigned int d = 0; d < dim; ++d)
-        velocity[d] = pressure;
-
+      std::uint64_t first_corner = nowhere; // of the first cell that holds the point
       for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
       {
+        if (!snapshot.cloud.is_own(cell))
+          continue;
         const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
         bool near          = true;
         for (unsigned int d = 0; d < dim && near; ++d)
@@ -76,8 +79,7 @@ namespace Lahar
         }
         if (inside)
         {
-          pressure = 0.;
-          velocity = Tensor<1, dim>();
+          first_corner = snapshot.cloud.number[cell[0]];
           for (unsigned int c = 0; c <= dim; ++c)
           {
             pressure += shape_values[c] * snapshot.cloud.pressure[cell[c]];
@@ -86,6 +88,22 @@ namespace Lahar
           break;
         }
       }
+
+      // A point on a face lies in cells of several ranks.
+      const std::uint64_t first_of_all = Utilities::MPI::min(first_corner, snapshot.communicator());
+      const unsigned int rank          = Utilities::MPI::this_mpi_process(snapshot.communicator()),
+                         first_rank    = Utilities::MPI::min(first_corner == first_of_all ? rank : rank + n_ranks,
+                                                          snapshot.communicator());
+      if (rank != first_rank)
+      {
+        pressure = 0.;
+        velocity = Tensor<1, dim>();
+      }
+      pressure = snapshot.sum_of_ranks(pressure);
+      velocity = Utilities::MPI::sum(velocity, snapshot.communicator());
+      if (first_of_all == nowhere)
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity[d] = pressure = std::numeric_limits<double>::quiet_NaN();
 
       add_to_column(statistics, name + " pressure (Pa)", pressure);
       for (unsigned int d = 0; d < dim; ++d)

@@ -31,8 +31,11 @@ namespace Lahar
     // What acts on a prescribed node is the fluid's force and the support's.
     std::vector<Tensor<1, dim>> by_fluid(n), by_support(n);
     for (unsigned int v = 0; v < snapshot.wall_forces.size(); ++v)
-      if (snapshot.mesh.particle(v) < mesh.n_contour_nodes())
+      if (snapshot.mesh.particle(v) < mesh.n_contour_nodes() &&
+          snapshot.cloud.is_own(snapshot.mesh.particle(v)))
         by_fluid[mesh.body_of_node(snapshot.mesh.particle(v))] -= snapshot.wall_forces[v];
+    for (Tensor<1, dim> &force : by_fluid)
+      force = Utilities::MPI::sum(force, snapshot.communicator());
     for (unsigned int i = 0; i < snapshot.solid_forces.size(); ++i)
       by_support[mesh.body_of_node(i)] += snapshot.solid_forces[i];
     for (unsigned int b = 0; b < n; ++b)

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <numeric>
 #include <sstream>
 
 namespace Lahar
@@ -32,8 +31,8 @@ namespace Lahar
   void Visualization<dim>::write(const Snapshot<dim> &snapshot)
   {
     const std::string number = "-" + Utilities::int_to_string(n_written++, 5);
-    if (snapshot.mesh.n_cells() > 0)
-      records.push_back({snapshot.time, 0, write_fluid(snapshot, "solution" + number)});
+    if (const std::string fluid_file = write_fluid(snapshot, "solution" + number); !fluid_file.empty())
+      records.push_back({snapshot.time, 0, fluid_file});
     if (!snapshot.solids.empty())
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
     on_first_rank(communicator, [&] {
@@ -65,54 +64,63 @@ namespace Lahar
 
 
 
-  namespace
-  {
-    std::string piece_name(const std::string &name, const unsigned int piece, const unsigned int n_pieces)
-    {
-      return name + (n_pieces > 1 ? "." + std::to_string(piece) : "") + ".vtu";
-    }
-  } // namespace
-
-
-
   template <int dim>
   std::string Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const
   {
-    const unsigned int n_cells  = snapshot.mesh.n_cells(),
-                       n_pieces = std::min(Utilities::MPI::n_mpi_processes(communicator), n_cells),
-                       piece    = Utilities::MPI::this_mpi_process(communicator);
-    std::string list;
-    on_all_ranks(communicator, [&] {
-      if (n_pieces == 1 && piece == 0)
-        write_piece(snapshot, name, n_pieces);
-      else if (n_pieces > 1 && piece < n_pieces)
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator),
+                       rank    = Utilities::MPI::this_mpi_process(communicator);
+    // Each rank writes its own cells, if it has some.
+    const std::vector<unsigned int> cells   = snapshot.mesh.own_cells(snapshot.cloud);
+    const std::vector<unsigned int> n_cells = Utilities::MPI::all_gather<unsigned int>(communicator, cells.size());
+    std::vector<std::string> pieces;
+    std::string own_piece, list;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      if (n_cells[r] > 0)
       {
-        const auto first_of = [&](const std::size_t i) { return i * n_cells / n_pieces; };
-        std::vector<unsigned int> cells(first_of(piece + 1) - first_of(piece)), vertices;
-        std::iota(cells.begin(), cells.end(), first_of(piece));
-        for (const unsigned int c : cells)
-          vertices.insert(vertices.end(), snapshot.mesh.cells()[c].begin(), snapshot.mesh.cells()[c].end());
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        FluidMesh<dim> part;
-        part.reinit_part(snapshot.mesh, vertices, cells);
-        list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
-                            snapshot.solids, snapshot.solid_forces, snapshot.time},
-                           name, n_pieces);
+        pieces.push_back(name + (n_ranks > 1 ? "." + std::to_string(r) : "") + ".vtu");
+        if (r == rank)
+          own_piece = pieces.back();
       }
+    if (pieces.empty())
+      return "";
+    on_all_ranks(communicator, [&] {
+      if (cells.empty())
+        return;
+      if (n_ranks == 1)
+      {
+        write_piece(snapshot, own_piece, pieces);
+        return;
+      }
+      std::vector<unsigned int> vertices;
+      for (const unsigned int c : cells)
+        vertices.insert(vertices.end(), snapshot.mesh.cells()[c].begin(), snapshot.mesh.cells()[c].end());
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      FluidMesh<dim> part;
+      part.reinit_part(snapshot.mesh, vertices, cells);
+      list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
+                          snapshot.solids, snapshot.solid_forces, snapshot.migration, snapshot.time},
+                         own_piece, pieces);
     });
-    if (n_pieces > 1)
-      on_first_rank(communicator, [&] {
-        write_atomically(directory + "/" + name + ".pvtu", [&](std::ostream &file) { file << list; });
-      });
-    return name + (n_pieces == 1 ? ".vtu" : ".pvtu");
+    if (n_ranks == 1)
+      return pieces[0];
+    // Any rank with cells knows the list.
+    const std::string file_name = name + ".pvtu";
+    list                        = Utilities::MPI::broadcast(communicator, list,
+                                     std::find_if(n_cells.begin(), n_cells.end(),
+                                                  [](const unsigned int n) { return n > 0; }) -
+                                       n_cells.begin());
+    on_first_rank(communicator, [&] {
+      write_atomically(directory + "/" + file_name, [&](std::ostream &file) { file << list; });
+    });
+    return file_name;
   }
 
 
 
   template <int dim>
-  std::string Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &name,
-                                              const unsigned int n_pieces) const
+  std::string Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &file_name,
+                                              const std::vector<std::string> &pieces) const
   {
     const FluidMesh<dim> &mesh      = snapshot.mesh;
     const ParticleCloud<dim> &cloud = snapshot.cloud;
@@ -159,14 +167,10 @@ namespace Lahar
     data_out.add_data_vector(yielded, "yielded", DataOut<dim>::type_cell_data);
     data_out.build_patches(mesh.mapping());
 
-    const unsigned int piece = Utilities::MPI::this_mpi_process(communicator);
-    write_atomically(directory + "/" + piece_name(name, piece, n_pieces),
+    write_atomically(directory + "/" + file_name,
                      [&](std::ostream &file) { data_out.write_vtu(file); });
-    std::vector<std::string> names;
-    for (unsigned int p = 0; p < n_pieces; ++p)
-      names.push_back(piece_name(name, p, n_pieces));
     std::ostringstream list;
-    data_out.write_pvtu_record(list, names);
+    data_out.write_pvtu_record(list, pieces);
     return list.str();
   }
 

@@ -58,6 +58,42 @@ namespace Lahar
         return {p[0], p[1], p[2]};
       }
     };
+
+    template <int dim, typename Triangulation>
+    void insert_points(const std::vector<Point<dim>> &points, const std::vector<unsigned int> &indices,
+                       Triangulation &triangulation)
+    {
+      std::vector<std::pair<typename Triangulation::Point, unsigned int>> numbered;
+      numbered.reserve(indices.size());
+      for (const unsigned int i : indices)
+        numbered.emplace_back(CGALTypes<dim>::point(points[i]), i);
+      // Range insertion sorts the points along a space-filling curve first.
+      triangulation.insert(numbered.begin(), numbered.end());
+    }
+
+    /// Some of the @p inserted points stand in the same place: replace each corner by the first one there.
+    template <int dim>
+    void use_first_points(const std::vector<Point<dim>> &points, const std::vector<unsigned int> &inserted,
+                          std::vector<Simplex<dim>> &simplices)
+    {
+      const auto coordinates = [&](const unsigned int i) {
+        std::array<double, dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = points[i][d];
+        return x;
+      };
+      std::vector<unsigned int> order = inserted, first_there(points.size());
+      std::sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
+        return std::make_pair(coordinates(i), i) < std::make_pair(coordinates(j), j);
+      });
+      for (unsigned int k = 0; k < order.size(); ++k)
+        first_there[order[k]] = k > 0 && coordinates(order[k]) == coordinates(order[k - 1])
+                                  ? first_there[order[k - 1]]
+                                  : order[k];
+      for (Simplex<dim> &simplex : simplices)
+        for (unsigned int &corner : simplex)
+          corner = first_there[corner];
+    }
   } // namespace
 
 
@@ -86,14 +122,7 @@ namespace Lahar
   template <int dim>
   void DelaunayTriangulation<dim>::insert(const std::vector<unsigned int> &indices)
   {
-    using Types = CGALTypes<dim>;
-
-    std::vector<std::pair<typename Types::Triangulation::Point, unsigned int>> numbered;
-    numbered.reserve(indices.size());
-    for (const unsigned int i : indices)
-      numbered.emplace_back(Types::point(points[i]), i);
-    // Range insertion sorts the points along a space-filling curve first.
-    implementation->triangulation.insert(numbered.begin(), numbered.end());
+    insert_points<dim>(points, indices, implementation->triangulation);
     inserted.insert(inserted.end(), indices.begin(), indices.end());
   }
 
@@ -115,26 +144,7 @@ namespace Lahar
     }
 
     if (triangulation.number_of_vertices() < inserted.size())
-    {
-      // Some points stand in the same place: replace each by the first one there.
-      const auto coordinates = [&](const unsigned int i) {
-        std::array<double, dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = points[i][d];
-        return x;
-      };
-      std::vector<unsigned int> order = inserted, first_there(points.size());
-      std::sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
-        return std::make_pair(coordinates(i), i) < std::make_pair(coordinates(j), j);
-      });
-      for (unsigned int k = 0; k < order.size(); ++k)
-        first_there[order[k]] = k > 0 && coordinates(order[k]) == coordinates(order[k - 1])
-                                  ? first_there[order[k - 1]]
-                                  : order[k];
-      for (Simplex<dim> &simplex : result)
-        for (unsigned int &corner : simplex)
-          corner = first_there[corner];
-    }
+      use_first_points<dim>(points, inserted, result);
     return result;
   }
 
@@ -170,34 +180,56 @@ namespace Lahar
 
 
 
-  std::vector<Simplex<2>> constrained_delaunay(const std::vector<Point<2>> &points,
-                                               const std::vector<std::array<unsigned int, 2>> &segments,
-                                               unsigned int &n_forced)
+  struct ConstrainedDelaunay::Implementation
   {
-    using Types = CGALTypes<2>;
     using Structure =
-      CGAL::Triangulation_data_structure_2<Types::Vertex,
+      CGAL::Triangulation_data_structure_2<CGALTypes<2>::Vertex,
                                            CGAL::Constrained_triangulation_face_base_2<Kernel>>;
     using Triangulation =
       CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
-    std::vector<std::pair<Triangulation::Point, unsigned int>> numbered;
-    numbered.reserve(points.size());
-    for (unsigned int i = 0; i < points.size(); ++i)
-      numbered.emplace_back(Types::point(points[i]), i);
     Triangulation triangulation;
-    triangulation.insert(numbered.begin(), numbered.end());
+  };
 
+
+
+  ConstrainedDelaunay::ConstrainedDelaunay(const std::vector<Point<2>> &points,
+                                           const std::vector<std::array<unsigned int, 2>> &segments)
+    : points(points)
+    , segments(segments)
+    , is_forced(segments.size(), false)
+    , implementation(std::make_unique<Implementation>())
+  {}
+
+
+
+  ConstrainedDelaunay::~ConstrainedDelaunay() = default;
+
+
+
+  void ConstrainedDelaunay::insert(const std::vector<unsigned int> &indices)
+  {
+    insert_points<2>(points, indices, implementation->triangulation);
+    if (inserted.empty())
+      insert_segments();
+    inserted.insert(inserted.end(), indices.begin(), indices.end());
+  }
+
+
+
+  void ConstrainedDelaunay::insert_segments()
+  {
+    using Triangulation          = Implementation::Triangulation;
+    Triangulation &triangulation = implementation->triangulation;
     std::vector<Triangulation::Vertex_handle> vertices(points.size());
     for (const auto &vertex : triangulation.finite_vertex_handles())
       vertices[vertex->info()] = vertex;
-    n_forced = 0;
-    for (const auto &[from, to] : segments)
+    for (unsigned int s = 0; s < segments.size(); ++s)
     {
+      const auto [from, to] = segments[s];
       if (vertices[from] == Triangulation::Vertex_handle() || vertices[to] == Triangulation::Vertex_handle())
         continue; // another point stands in the same place
-      if (!triangulation.is_edge(vertices[from], vertices[to]))
-        ++n_forced;
+      is_forced[s] = !triangulation.is_edge(vertices[from], vertices[to]);
       try
       {
         triangulation.insert_constraint(vertices[from], vertices[to]);
@@ -209,13 +241,21 @@ namespace Lahar
         throw RunError(message.str());
       }
     }
+  }
 
-    std::vector<Simplex<2>> cells;
+
+
+  std::vector<Simplex<2>> ConstrainedDelaunay::simplices() const
+  {
+    const auto &triangulation = implementation->triangulation;
+    std::vector<Simplex<2>> result;
     if (triangulation.dimension() < 2)
-      return cells;
+      return result;
     for (const auto &face : triangulation.finite_face_handles())
-      cells.push_back({{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}});
-    return cells;
+      result.push_back({{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}});
+    if (triangulation.number_of_vertices() < inserted.size())
+      use_first_points<2>(points, inserted, result);
+    return result;
   }
 
 

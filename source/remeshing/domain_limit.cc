@@ -56,8 +56,10 @@ namespace Lahar
   unsigned int DomainLimit<dim>::drop_outside(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh) const
   {
     const std::vector<bool> outside = find_outside(cloud);
-    const unsigned int n_outside    = std::count(outside.begin(), outside.end(), true);
-    if (n_outside == 0)
+    unsigned int n_own_outside      = 0;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      n_own_outside += (outside[i] && cloud.is_own(i));
+    if (std::find(outside.begin(), outside.end(), true) == outside.end())
       return 0;
 
     std::vector<Simplex<dim>> cells;
@@ -69,7 +71,7 @@ namespace Lahar
       for (unsigned int &corner : cell)
         corner = new_index[corner];
     mesh.reinit(cloud, cells);
-    return n_outside;
+    return n_own_outside;
   }
 
 

@@ -228,8 +228,21 @@ namespace Lahar
   {
     double sum = 0.;
     for (const Simplex<dim> &cell : cells_of_particles)
-      sum += signed_volume<dim>(corners_of<dim>(cell, cloud.position));
+      if (cloud.is_own(cell))
+        sum += signed_volume<dim>(corners_of<dim>(cell, cloud.position));
     return sum;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> FluidMesh<dim>::own_cells(const ParticleCloud<dim> &cloud) const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int c = 0; c < n_cells(); ++c)
+      if (cloud.is_own(cells_of_particles[c]))
+        result.push_back(c);
+    return result;
   }
 
 

@@ -1,3 +1,4 @@
+#include <lahar/remeshing/far_points.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/point_tree.h>
 #include <lahar/remeshing/simplex_geometry.h>
@@ -10,6 +11,9 @@ namespace Lahar
   {
     /// Circumballs are searched with a radius larger by this part.
     constexpr double margin = 1e-6;
+
+    /// The most points that are used of a simplex's circumball at a time.
+    constexpr unsigned int most_wanted = 64;
 
     /// The bounding box of the own points, widened by the reach; none if there is no own point.
     template <int dim>
@@ -35,71 +39,130 @@ namespace Lahar
           return false;
       return true;
     }
+
+    /**
+     * local_delaunay() with a @p triangulation of @p points, which are the cloud's and to which far ones are added.
+     * @param added points to use at first besides those in the box.
+     * @param growth by which more points are used each time that a simplex has stood.
+     */
+    template <int dim, typename Triangulation>
+    std::vector<Simplex<dim>> find_simplices(const ParticleCloud<dim> &cloud, const std::vector<bool> &own,
+                                             const double reach,
+                                             const std::function<bool(const Simplex<dim> &)> &matters,
+                                             const Migration<dim> &migration, std::vector<Point<dim>> &points,
+                                             const std::vector<bool> &used_anyway, const unsigned int growth,
+                                             Triangulation &triangulation)
+    {
+      const std::vector<BoundingBox<dim>> box = find_box(points, own, reach);
+      std::vector<unsigned int> added, others;
+      std::vector<bool> used = used_anyway;
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+      {
+        used[i] = !box.empty() && (used[i] || contains_ball(box[0], points[i], 0.));
+        (used[i] ? added : others).push_back(i);
+      }
+
+      std::unique_ptr<PointTree<dim>> tree; // of the other points, once it is needed
+      FarPoints<dim> far_points(cloud, migration, reach);
+      std::vector<Simplex<dim>> result;
+      unsigned int n_wanted = 1;
+      for (bool any = true; any; n_wanted = std::min(growth * n_wanted, most_wanted))
+      {
+        if (!added.empty())
+          triangulation.insert(added);
+        added.clear();
+        result.clear();
+        std::vector<typename FarPoints<dim>::Query> queries;
+        if (!box.empty())
+          for (const Simplex<dim> &simplex : triangulation.simplices())
+          {
+            const Simplex<dim> candidate = canonical<dim>(simplex);
+            if (*std::max_element(candidate.begin(), candidate.end()) >= cloud.size() || !matters(candidate))
+              continue;
+            result.push_back(candidate);
+            const auto corners                 = corners_of<dim>(candidate, points);
+            const Tensor<1, dim> centre_from_0 = to_circumcentre<dim>(corners);
+            const Point<dim> centre            = corners[0] + centre_from_0;
+            const double radius                = (1. + margin) * centre_from_0.norm();
+            if (contains_ball(box[0], centre, radius))
+              continue;
+            if (far_points.is_open(centre, radius))
+              queries.push_back({corners, n_wanted});
+            if (others.empty())
+              continue;
+            if (!tree)
+              tree = std::make_unique<PointTree<dim>>(cloud.position, others);
+            // The centre of a flat simplex's ball is not exact: points near the surface are many, and only those that
+            // lie in the ball contradict.
+            for (unsigned int n = 0; n < n_wanted; ++n)
+            {
+              const unsigned int nearest =
+                tree->nearest_in_ball(centroid<dim>(corners), centre, radius, [&](const unsigned int i) {
+                  return !used[i] && in_circumball<dim>(corners, points[i]);
+                });
+              if (nearest == numbers::invalid_unsigned_int)
+                break;
+              used[nearest] = true;
+              added.push_back(nearest);
+            }
+          }
+        if (!migration.is_alone())
+          for (const Point<dim> &point : far_points.find(queries))
+          {
+            added.push_back(points.size());
+            points.push_back(point);
+          }
+        any = !added.empty();
+        if (!migration.is_alone())
+          any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
+      }
+      return result;
+    }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<Simplex<dim>> local_delaunay(const std::vector<Point<dim>> &points,
-                                           const std::vector<bool> &own, const double reach,
-                                           const std::function<bool(const Simplex<dim> &)> &matters)
+  std::vector<Simplex<dim>> local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own,
+                                           const double reach,
+                                           const std::function<bool(const Simplex<dim> &)> &matters,
+                                           const Migration<dim> &migration)
   {
-    const std::vector<BoundingBox<dim>> box = find_box(points, own, reach);
-    if (box.empty())
-      return {};
-
-    std::vector<unsigned int> added, others;
-    std::vector<bool> known(points.size(), false);
-    for (unsigned int i = 0; i < points.size(); ++i)
-    {
-      known[i] = contains_ball(box[0], points[i], 0.);
-      (known[i] ? added : others).push_back(i);
-    }
-
+    std::vector<Point<dim>> points = cloud.position;
     DelaunayTriangulation<dim> triangulation(points);
-    std::unique_ptr<PointTree<dim>> tree; // of the other points, once it is needed
-    std::vector<Simplex<dim>> result;
-    while (!added.empty())
-    {
-      triangulation.insert(added);
-      added.clear();
-      result.clear();
-      for (const Simplex<dim> &simplex : triangulation.simplices())
-      {
-        const Simplex<dim> candidate = canonical<dim>(simplex);
-        if (!matters(candidate))
-          continue;
-        result.push_back(candidate);
-        const auto corners                 = corners_of<dim>(candidate, points);
-        const Tensor<1, dim> centre_from_0 = to_circumcentre<dim>(corners);
-        const Point<dim> centre            = corners[0] + centre_from_0;
-        const double radius                = (1. + margin) * centre_from_0.norm();
-        if (others.empty() || contains_ball(box[0], centre, radius))
-          continue;
-        if (!tree)
-          tree = std::make_unique<PointTree<dim>>(points, others);
-        // The centre of a flat simplex's ball is not exact: points near the surface are many, and only those that
-        // lie in the ball contradict.
-        const unsigned int nearest =
-          tree->nearest_in_ball(centroid<dim>(corners), centre, radius, [&](const unsigned int i) {
-            return !known[i] && in_circumball<dim>(corners, points[i]);
-          });
-        if (nearest != numbers::invalid_unsigned_int)
-        {
-          known[nearest] = true;
-          added.push_back(nearest);
-        }
-      }
-    }
+    return find_simplices<dim>(cloud, own, reach, matters, migration, points,
+                               std::vector<bool>(cloud.size(), false), 1, triangulation);
+  }
+
+
+
+  std::vector<Simplex<2>>
+  local_constrained_delaunay(const ParticleCloud<2> &cloud, const std::vector<bool> &own, const double reach,
+                             const std::function<bool(const Simplex<2> &)> &matters,
+                             const Migration<2> &migration,
+                             const std::vector<std::array<unsigned int, 2>> &segments,
+                             std::vector<bool> &forced)
+  {
+    std::vector<Point<2>> points = cloud.position;
+    std::vector<bool> used(cloud.size(), false);
+    for (const auto &segment : segments)
+      for (const unsigned int i : segment)
+        used[i] = true;
+    ConstrainedDelaunay triangulation(points, segments);
+    const auto result = find_simplices<2>(cloud, own, reach, matters, migration, points, used, 2,
+                                          triangulation);
+    forced            = triangulation.forced();
     return result;
   }
 
 
 
-  template std::vector<Simplex<2>> local_delaunay<2>(const std::vector<Point<2>> &, const std::vector<bool> &,
+  template std::vector<Simplex<2>> local_delaunay<2>(const ParticleCloud<2> &, const std::vector<bool> &,
                                                      const double,
-                                                     const std::function<bool(const Simplex<2> &)> &);
-  template std::vector<Simplex<3>> local_delaunay<3>(const std::vector<Point<3>> &, const std::vector<bool> &,
+                                                     const std::function<bool(const Simplex<2> &)> &,
+                                                     const Migration<2> &);
+  template std::vector<Simplex<3>> local_delaunay<3>(const ParticleCloud<3> &, const std::vector<bool> &,
                                                      const double,
-                                                     const std::function<bool(const Simplex<3> &)> &);
+                                                     const std::function<bool(const Simplex<3> &)> &,
+                                                     const Migration<3> &);
 } // namespace Lahar

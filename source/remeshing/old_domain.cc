@@ -18,23 +18,31 @@ namespace Lahar
         continue;
       for (const unsigned int particle : simplex)
         cells_of[particle].push_back(cells.size());
-      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume});
+      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume,
+                       cloud.is_own(simplex)});
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
       seeds.emplace_back(i, i);
+      new_index.push_back(i);
+    }
   }
 
 
 
   template <int dim>
-  void OldDomain<dim>::renumber(const std::vector<unsigned int> &new_index,
+  void OldDomain<dim>::renumber(const std::vector<unsigned int> &new_indices,
                                 const std::vector<std::pair<unsigned int, unsigned int>> &parents,
                                 const unsigned int n_particles)
   {
     seeds.assign(n_particles, {numbers::invalid_unsigned_int, numbers::invalid_unsigned_int});
-    for (unsigned int i = 0; i < new_index.size(); ++i)
-      if (new_index[i] != numbers::invalid_unsigned_int)
+    for (unsigned int i = 0; i < new_indices.size(); ++i)
+    {
+      const bool is_removed = new_indices[i] == numbers::invalid_unsigned_int;
+      new_index[i]          = is_removed ? n_particles + i : new_indices[i];
+      if (!is_removed)
         seeds[new_index[i]] = {i, i};
+    }
     std::copy(parents.begin(), parents.end(), seeds.end() - parents.size());
   }
 
@@ -132,23 +140,33 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<std::pair<Simplex<dim>, double>>
-  OldDomain<dim>::renumbered_cells(const unsigned int n_particles) const
+  std::vector<typename OldDomain<dim>::OldCell> OldDomain<dim>::renumbered_cells() const
   {
-    std::vector<unsigned int> new_index(cells_of.size());
-    for (unsigned int i = 0; i < new_index.size(); ++i)
-      new_index[i] = n_particles + i;
-    for (unsigned int i = 0; i < seeds.size(); ++i)
-      if (seeds[i].first == seeds[i].second && seeds[i].first != numbers::invalid_unsigned_int)
-        new_index[seeds[i].first] = i;
-
-    std::vector<std::pair<Simplex<dim>, double>> result;
+    std::vector<OldCell> result;
+    result.reserve(cells.size());
     for (const Cell &cell : cells)
     {
-      result.emplace_back(cell.corners, cell.volume);
-      for (unsigned int &corner : result.back().first)
+      result.push_back({cell.corners, cell.volume, cell.own});
+      for (unsigned int &corner : result.back().corners)
         corner = new_index[corner];
     }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> OldDomain<dim>::old_neighbours(const unsigned int particle) const
+  {
+    const unsigned int old = particle >= seeds.size()                                ? particle - seeds.size()
+                             : seeds[particle].first == seeds[particle].second ? seeds[particle].first
+                                                                                : numbers::invalid_unsigned_int;
+    std::vector<unsigned int> result;
+    if (old < cells_of.size())
+      for (const unsigned int cell : cells_of[old])
+        for (const unsigned int corner : cells[cell].corners)
+          if (new_index[corner] < seeds.size())
+            result.push_back(new_index[corner]);
     return result;
   }
 

@@ -1,3 +1,5 @@
+#include <boost/serialization/vector.hpp>
+
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -61,52 +63,49 @@ namespace Lahar
       }
 
       /**
-       * Try to merge the surface particles a → b into a: to the place near their middle where the area enclosed by
-       * previous, a, b, next stays. @return whether it was done.
+       * The chain previous, a, b, next around the neighbours of an edge, in either order; empty if there is none, or one
+       * of these is among the @p removed.
        */
-      bool merge(ParticleCloud<2> &cloud, unsigned int a, unsigned int b, const std::vector<bool> &removed)
+      std::vector<unsigned int> around(const std::pair<unsigned int, unsigned int> &edge,
+                                       const std::vector<bool> &removed) const
       {
+        auto [a, b] = edge;
         if (links[a][1] != b)
           std::swap(a, b);
         if (links[a][1] != b || links[b][0] != a)
-          return false;
+          return {};
         const unsigned int previous = links[a][0], next = links[b][1];
         if (std::max(previous, next) >= links.size() || previous == next || removed[previous] ||
             removed[next])
-          return false;
-
-        const Tensor<1, 2> chord  = cloud.position[next] - cloud.position[previous];
-        const Tensor<1, 2> normal = cross_product_2d(chord);
-        const auto height         = [&](const unsigned int i) {
-          return normal * (cloud.position[i] - cloud.position[previous]);
-        };
-        const double h = cloud.spacing[a];
-        if (chord.norm() < 0.5 * h)
-          return false;
-
-        // Twice the area of previous, a, b, next, and of previous, merged, next.
-        const double area = height(a) - cross_product_2d(cloud.position[b] - cloud.position[a]) *
-                                          (cloud.position[next] - cloud.position[a]);
-        const Point<2> middle    = cloud.position[a] + 0.5 * (cloud.position[b] - cloud.position[a]);
-        const Tensor<1, 2> shift = (area - normal * (middle - cloud.position[previous])) /
-                                   normal.norm_square() * normal;
-        if (shift.norm() > 0.5 * h)
-          return false;
-
-        cloud.position[a]      = middle + shift;
-        cloud.velocity[a]      = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
-        cloud.acceleration[a]  = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
-        cloud.pressure[a]      = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
-        cloud.pressure_rate[a] = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
-        links[a][1]            = next;
-        links[next][0]         = a;
-        return true;
+          return {};
+        return {previous, a, b, next};
       }
 
     private:
       static constexpr unsigned int none = -1, ambiguous = -2;
       std::vector<std::array<unsigned, 2>> links;
     };
+
+    /**
+     * The place near the middle between a and b where one particle encloses the same area with previous and next as the
+     * two do: true if there is one not too far away.
+     */
+    bool find_merged_place(const std::vector<unsigned int> &chain, const ParticleCloud<2> &cloud,
+                           Point<2> &place)
+    {
+      const Point<2> &previous = cloud.position[chain[0]], &a = cloud.position[chain[1]],
+                     &b = cloud.position[chain[2]], &next = cloud.position[chain[3]];
+      const Tensor<1, 2> chord = next - previous, normal = cross_product_2d(chord);
+      const double h = cloud.spacing[chain[1]];
+      if (chord.norm() < 0.5 * h)
+        return false;
+      // Twice the area of previous, a, b, next, and of previous, merged, next.
+      const double area        = normal * (a - previous) - cross_product_2d(b - a) * (next - a);
+      const Point<2> middle    = a + 0.5 * (b - a);
+      const Tensor<1, 2> shift = (area - normal * (middle - previous)) / normal.norm_square() * normal;
+      place                    = middle + shift;
+      return shift.norm() <= 0.5 * h;
+    }
   } // namespace
 
 
@@ -137,9 +136,10 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<bool> ParticleSpacing<dim>::find_removals(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                                        const FluidMesh<dim> &mesh,
-                                                        const std::vector<Edge> &edges) const
+  std::vector<typename ParticleSpacing<dim>::Removal>
+  ParticleSpacing<dim>::find_candidates(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                                        const std::vector<Edge> &edges,
+                                        const std::vector<bool> &removed) const
   {
     const std::vector<bool> on_surface = mesh.on_free_surface(cloud.size());
     // What holds the shape of the domain stays before what lies inside it.
@@ -150,15 +150,12 @@ namespace Lahar
       return rank;
     };
 
-    std::vector<bool> removed(cloud.size(), false), merged(cloud.size(), false);
-    for (const unsigned int i : mesh.particles())
-      removed[i] = cloud.kind[i] == ParticleKind::fluid &&
-                   is_at_wall(cloud.position[i], cloud.spacing[i], walls);
-
-    std::unique_ptr<SurfaceChain> chain;
-    for (const auto &[a, b] : edges)
+    std::unique_ptr<SurfaceChain> chains;
+    std::vector<Removal> result;
+    for (const Edge &edge : edges)
     {
-      if (removed[a] || removed[b] || merged[a] || merged[b])
+      const auto [a, b] = edge;
+      if (removed[a] || removed[b])
         continue;
       const double h      = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
       const double length = cloud.position[a].distance(cloud.position[b]);
@@ -171,26 +168,86 @@ namespace Lahar
       {
         const unsigned int fluid = a_is_fluid ? a : b;
         if (rank(fluid) == 0 || length < surface_to_wall * shortest * h)
-          removed[fluid] = true;
+          result.push_back({length / h, edge, fluid, {}, {}, {}});
       }
       else if (a_is_fluid)
       {
         if (rank(a) != rank(b))
-          removed[rank(a) < rank(b) ? a : b] = true;
-        else if (rank(b) == 0)
-          removed[b] = true;
-        else if (!on_surface[b])
-          removed[b] = cloud.slip_facets[a] == cloud.slip_facets[b];
+          result.push_back(
+            {length / h, edge, rank(a) < rank(b) ? a : b, {}, {rank(a) < rank(b) ? b : a}, {}});
+        else if (rank(b) == 0 || (!on_surface[b] && cloud.slip_facets[a] == cloud.slip_facets[b]))
+          result.push_back({length / h, edge, b, {}, {a}, {}});
         else if constexpr (dim == 2)
           if (rank(b) == dim + 1)
           {
-            if (!chain)
-              chain = std::make_unique<SurfaceChain>(mesh, cloud.size());
-            if (chain->merge(cloud, a, b, removed))
-              removed[b] = merged[a] = true;
+            if (!chains)
+              chains = std::make_unique<SurfaceChain>(mesh, cloud.size());
+            const std::vector<unsigned int> chain = chains->around(edge, removed);
+            Point<2> place;
+            if (!chain.empty() && find_merged_place(chain, cloud, place))
+              result.push_back({length / h, edge, b, {a}, {chain[0], chain[3]}, place});
           }
       }
     }
+    std::sort(result.begin(), result.end(), [](const Removal &r, const Removal &s) {
+      return std::make_pair(r.length, r.edge) < std::make_pair(s.length, s.edge);
+    });
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<bool> ParticleSpacing<dim>::find_removals(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                                        const FluidMesh<dim> &mesh,
+                                                        const std::vector<Edge> &edges,
+                                                        const Migration<dim> &migration) const
+  {
+    std::vector<bool> removed(cloud.size(), false);
+    for (const unsigned int i : mesh.particles())
+      removed[i] = cloud.kind[i] == ParticleKind::fluid &&
+                   is_at_wall(cloud.position[i], cloud.spacing[i], walls);
+
+    // The first removals that change each particle, and that need it as it is.
+    const std::vector<Removal> removals = find_candidates(cloud, mesh, edges, removed);
+    std::vector<unsigned int> changed_by(cloud.size(), removals.size()), needed_by = changed_by;
+    for (unsigned int r = removals.size(); r-- > 0;)
+    {
+      changed_by[removals[r].removed] = r;
+      for (const unsigned int i : removals[r].moved)
+        changed_by[i] = r;
+      for (const unsigned int i : removals[r].needed)
+        needed_by[i] = r;
+    }
+    for (unsigned int r = 0; r < removals.size(); ++r)
+    {
+      const Removal &removal    = removals[r];
+      const auto has_first_word = [&](const unsigned int i) { return changed_by[i] == r && needed_by[i] > r; };
+      if (!has_first_word(removal.removed) ||
+          !std::all_of(removal.moved.begin(), removal.moved.end(), has_first_word) ||
+          !std::all_of(removal.needed.begin(), removal.needed.end(),
+                       [&](const unsigned int i) { return changed_by[i] > r; }))
+        continue;
+      removed[removal.removed] = true;
+      for (const unsigned int a : removal.moved)
+      {
+        const unsigned int b   = removal.removed;
+        cloud.position[a]      = removal.place;
+        cloud.velocity[a]      = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
+        cloud.acceleration[a]  = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
+        cloud.pressure[a]      = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
+        cloud.pressure_rate[a] = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
+      }
+    }
+
+    if (migration.is_alone())
+      return removed;
+    // What this rank thinks of others' particles may be wrong at the rim of its region.
+    std::vector<double> flags(removed.begin(), removed.end());
+    migration.update(flags);
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      removed[i] = flags[i] > 0.;
+    migration.update(cloud);
     return removed;
   }
 
@@ -199,7 +256,8 @@ namespace Lahar
   template <int dim>
   std::vector<typename ParticleSpacing<dim>::Edge>
   ParticleSpacing<dim>::find_insertions(const ParticleCloud<dim> &cloud, const std::vector<Edge> &edges,
-                                        const std::vector<bool> &removed) const
+                                        const std::vector<bool> &removed,
+                                        const Migration<dim> &migration) const
   {
     std::vector<std::pair<double, Edge>> candidates;
     for (const Edge &edge : edges)
@@ -216,36 +274,81 @@ namespace Lahar
     std::sort(candidates.begin(), candidates.end());
 
     // One division per particle and step, the longest edges first: its other long edges may be gone afterwards.
-    std::vector<bool> used(cloud.size(), false);
+    std::vector<unsigned int> first(cloud.size(), candidates.size());
+    for (unsigned int c = candidates.size(); c-- > 0;)
+      first[candidates[c].second.first] = first[candidates[c].second.second] = c;
     std::vector<Edge> divided;
-    for (const auto &[length, edge] : candidates)
-      if (!used[edge.first] && !used[edge.second])
-      {
-        used[edge.first] = used[edge.second] = true;
+    for (unsigned int c = 0; c < candidates.size(); ++c)
+      if (const Edge &edge = candidates[c].second; first[edge.first] == c && first[edge.second] == c)
         divided.push_back(edge);
-      }
+    std::sort(divided.begin(), divided.end());
+    if (migration.is_alone())
+      return divided;
+
+    // The number of the other end by the first one, as its owner sees it.
+    std::vector<double> other(cloud.size(), -1.);
+    for (const auto &[a, b] : divided)
+      other[a] = cloud.number[b];
+    migration.update(other);
+    divided.clear();
+    for (unsigned int a = 0; a < cloud.size(); ++a)
+      if (other[a] >= 0.)
+        if (const unsigned int b = cloud.find(static_cast<std::uint64_t>(other[a])); b < cloud.size())
+          divided.emplace_back(a, b);
     return divided;
   }
 
 
 
   template <int dim>
+  void ParticleSpacing<dim>::insert(const std::vector<Edge> &edges, const Migration<dim> &migration,
+                                    ParticleCloud<dim> &cloud) const
+  {
+    if (migration.is_alone())
+    {
+      for (const auto &[a, b] : edges)
+        cloud.append_midpoint(a, b);
+      return;
+    }
+    // The new particles' numbers follow those of their first parents.
+    std::vector<std::uint64_t> own, parents;
+    for (const auto &[a, b] : edges)
+      if (cloud.is_own(a))
+        own.push_back(cloud.number[a]);
+    for (const auto &of_rank : Utilities::MPI::all_gather(migration.communicator(), own))
+      parents.insert(parents.end(), of_rank.begin(), of_rank.end());
+    std::sort(parents.begin(), parents.end());
+    const std::uint64_t first = cloud.next_number;
+    for (const auto &[a, b] : edges)
+    {
+      const unsigned int i = cloud.append_midpoint(a, b);
+      cloud.number[i]      = first + (std::lower_bound(parents.begin(), parents.end(), cloud.number[a]) -
+                                 parents.begin());
+    }
+    cloud.next_number = first + parents.size();
+  }
+
+
+
+  template <int dim>
   void ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                   const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain) const
+                                   const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain,
+                                   Migration<dim> &migration) const
   {
     const std::vector<Edge> edges    = edges_of<dim>(mesh, cloud.size());
-    std::vector<bool> removed        = find_removals(cloud, walls, mesh, edges);
-    const std::vector<Edge> inserted = find_insertions(cloud, edges, removed);
-    if (inserted.empty() && std::find(removed.begin(), removed.end(), true) == removed.end())
+    std::vector<bool> removed        = find_removals(cloud, walls, mesh, edges, migration);
+    const std::vector<Edge> inserted = find_insertions(cloud, edges, removed, migration);
+    if (migration.is_alone() && inserted.empty() &&
+        std::find(removed.begin(), removed.end(), true) == removed.end())
       return;
 
     const unsigned int n_old = cloud.size();
-    for (const auto &[a, b] : inserted)
-      cloud.append_midpoint(a, b);
+    insert(inserted, migration, cloud);
     removed.resize(cloud.size(), false);
     std::vector<unsigned int> new_index = cloud.remove(removed);
     new_index.resize(n_old);
     old_domain.renumber(new_index, inserted, cloud.size());
+    migration.reinit(cloud);
   }
 
 

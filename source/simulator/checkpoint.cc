@@ -5,7 +5,9 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Lahar
@@ -26,7 +28,7 @@ namespace Lahar
   template <typename Archive>
   void Simulator<dim>::save_or_load(Archive &archive)
   {
-    archive &particles;
+    archive &particles.next_number;
     SolidState<dim> solid_state = solids.state();
     archive &solid_state;
     if constexpr (Archive::is_loading::value)
@@ -34,10 +36,7 @@ namespace Lahar
       if (solid_state.stress.size() != solids.state().stress.size())
         checkpoint.fail("has solids of another mesh", "the mesh files of the run");
       solids.accept(solid_state);
-      fluid_mesh.load(archive, particles);
     }
-    else
-      fluid_mesh.save(archive);
     archive &time &step_number &n_rejected &n_forced_facets &n_kept_out &n_left;
     archive &initial_volume &volume &change_by_solver &change_by_remeshing &left_volume;
     archive &*step_control &*visualization;
@@ -60,20 +59,108 @@ namespace Lahar
 
 
   template <int dim>
+  std::string Simulator<dim>::save_piece() const
+  {
+    // The own cells, their corners, and the own particles.
+    std::vector<bool> is_saved(particles.size(), false);
+    std::vector<std::uint64_t> cells;
+    for (const Simplex<dim> &cell : fluid_mesh.particle_cells())
+      if (particles.is_own(cell))
+        for (const unsigned int i : cell)
+        {
+          is_saved[i] = true;
+          cells.push_back(particles.number[i]);
+        }
+    std::vector<double> records;
+    for (unsigned int i = 0; i < particles.size(); ++i)
+      if (is_saved[i] || particles.is_own(i))
+      {
+        const auto record = particles.record(i);
+        records.insert(records.end(), record.begin(), record.end());
+      }
+    std::ostringstream data;
+    boost::archive::binary_oarchive archive(data, boost::archive::no_header);
+    archive << records << cells;
+    return data.str();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::load_pieces(const std::vector<std::string> &pieces)
+  {
+    using Record               = typename ParticleCloud<dim>::Record;
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<Record> records;
+    std::vector<std::uint64_t> numbers;
+    for (const std::string &piece : pieces)
+    {
+      std::istringstream data(piece);
+      boost::archive::binary_iarchive archive(data, boost::archive::no_header);
+      std::vector<double> values;
+      std::vector<std::uint64_t> piece_numbers;
+      archive >> values >> piece_numbers;
+      for (auto value = values.begin(); value != values.end(); value += Record().size())
+      {
+        records.emplace_back();
+        std::copy_n(value, records.back().size(), records.back().begin());
+        // A rank's piece was read by this one.
+        records.back().back() = static_cast<unsigned int>(records.back().back()) % n_ranks;
+      }
+      numbers.insert(numbers.end(), piece_numbers.begin(), piece_numbers.end());
+    }
+    // All ranks have the solids' particles, as copies if no piece has them.
+    for (unsigned int i = 0; i < solids.mesh().n_contour_nodes(); ++i)
+    {
+      particles.position[i] = solids.state().position[i];
+      particles.velocity[i] = solids.state().velocity[i];
+      records.push_back(particles.record(i));
+      records.back().back() = n_ranks;
+    }
+    const auto number_of = [](const Record &record) { return record[record.size() - 2]; };
+    std::stable_sort(records.begin(), records.end(),
+                     [&](const Record &a, const Record &b) { return number_of(a) < number_of(b); });
+
+    ParticleCloud<dim> cloud;
+    cloud.rank        = particles.rank;
+    cloud.next_number = particles.next_number;
+    for (unsigned int i = 0; i < records.size(); ++i)
+      if (i == 0 || number_of(records[i]) != number_of(records[i - 1]))
+        cloud.append(records[i]);
+    particles = cloud;
+    std::vector<Simplex<dim>> cells(numbers.size() / (dim + 1));
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+      cells[k / (dim + 1)][k % (dim + 1)] = particles.find(numbers[k]);
+    fluid_mesh.reinit(particles, cells);
+    migrate();
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::write_checkpoint()
   {
-    last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
-    on_first_rank(communicator, [this] {
+    last_checkpoint_wall_time  = earlier_wall_time = progress->wall_time();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const CheckpointFile::Piece place{step_number, Utilities::MPI::this_mpi_process(communicator), n_ranks};
+    const std::string piece = save_piece();
+    on_all_ranks(communicator, [&] {
+      if (place.rank > 0)
+        checkpoint.write(place, piece);
+    });
+    on_first_rank(communicator, [&] {
       statistics_size  = statistics.size();
       convergence_size = convergence.size();
       std::ostringstream data;
       {
         boost::archive::binary_oarchive archive(data);
         const std::map<std::string, std::string> values = prm.values();
-        archive << values;
+        archive << values << n_ranks;
         save_or_load(archive);
+        archive << piece;
       }
       checkpoint.write(data.str());
+      checkpoint.remove_pieces_but(place);
     });
   }
 
@@ -82,21 +169,32 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::resume()
   {
-    std::istringstream data(checkpoint.read());
+    const std::string state = checkpoint.read();
     visualization = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
-    try
-    {
-      boost::archive::binary_iarchive archive(data);
-      std::map<std::string, std::string> earlier_values;
-      archive >> earlier_values;
-      check_unchanged(earlier_values);
-      save_or_load(archive);
-    }
-    catch (const boost::archive::archive_exception &error)
-    {
-      checkpoint.fail(std::string("cannot be read (") + error.what() + ")",
-                      "one written by the same program on the same kind of machine");
-    }
+    std::vector<std::string> pieces;
+    on_all_ranks(communicator, [&] {
+      try
+      {
+        std::istringstream data(state);
+        boost::archive::binary_iarchive archive(data);
+        std::map<std::string, std::string> earlier_values;
+        unsigned int n_pieces;
+        archive >> earlier_values >> n_pieces;
+        check_unchanged(earlier_values);
+        save_or_load(archive);
+        std::string first_piece;
+        archive >> first_piece;
+        const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+        for (unsigned int p = Utilities::MPI::this_mpi_process(communicator); p < n_pieces; p += n_ranks)
+          pieces.push_back(p == 0 ? first_piece : checkpoint.read({step_number, p, n_pieces}));
+      }
+      catch (const boost::archive::archive_exception &error)
+      {
+        checkpoint.fail(std::string("cannot be read (") + error.what() + ")",
+                        "one written by the same program on the same kind of machine");
+      }
+    });
+    load_pieces(pieces);
     statistics.check(statistics_size);
     convergence.check(convergence_size);
     resumed = true;

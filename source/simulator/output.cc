@@ -63,7 +63,7 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot() const
   {
-    return {particles, fluid_mesh, *law, gravity, wall_forces, solids, solid_forces, time};
+    return {particles, fluid_mesh, *law, gravity, wall_forces, solids, solid_forces, migration, time};
   }
 
 
@@ -82,9 +82,9 @@ namespace Lahar
     add_to_column(line, "Mass residual (m^dim/s)", report.mass_residual);
     line.add_value("Linear iterations", report.linear_iterations);
     line.add_value("Held vertices", report.n_held);
-    line.add_value("Fluid cells", fluid_mesh.n_cells());
+    line.add_value("Fluid cells", n_cells);
     line.add_value("Solid cells", solids.mesh().n_cells());
-    line.add_value("Fluid particles", particles.n_particles(ParticleKind::fluid));
+    line.add_value("Fluid particles", count_on_ranks(particles.n_particles(ParticleKind::fluid)));
     add_to_column(line, "Fluid volume (m^dim)", volume);
     add_to_column(line, "Volume change by solver", change_by_solver);
     add_to_column(line, "Volume change by remeshing", change_by_remeshing);
@@ -113,7 +113,7 @@ namespace Lahar
       convergence.append(increments.str());
     });
     progress->step({step_number, time, time_step, report.iterations, report.velocity_increment,
-                    report.pressure_increment, fluid_mesh.n_cells(), change_by_solver + change_by_remeshing});
+                    report.pressure_increment, n_cells, change_by_solver + change_by_remeshing});
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <boost/crc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -39,7 +40,7 @@ namespace Lahar
   Simulator<dim>::Simulator(Parameters &prm, const MPI_Comm &communicator)
     : communicator(communicator)
     , prm(prm)
-    , remesher(communicator)
+    , migration(communicator)
     , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
@@ -92,15 +93,18 @@ namespace Lahar
     {
       throw InputError(std::string("Initial mesh: ") + error.what() + ".");
     }
-    remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     if (geometry.has_fluid() && fluid_mesh.n_cells() == 0)
       throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                        ". Allowed: a mesh size well below the size of the fluid.");
     domain_limit.check_initial(prm, particles);
     for (const auto &postprocessor : postprocessors)
       postprocessor->initialize(solids);
-    time           = parameters.start_time;
-    initial_volume = volume = fluid_mesh.volume(particles);
+    time = parameters.start_time;
+    migration.distribute(particles, fluid_mesh,
+                         remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator),
+                         solids.mesh().n_contour_nodes());
+    remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
+    initial_volume = volume = sum_of_ranks(fluid_mesh.volume(particles));
   }
 
 
@@ -138,9 +142,13 @@ namespace Lahar
   std::string Simulator<dim>::sizes() const
   {
     std::ostringstream text;
-    text << "Fluid particles  " << particles.n_particles(ParticleKind::fluid) << "\nWall particles   "
-         << particles.n_particles(ParticleKind::wall) << "\nFluid cells      " << fluid_mesh.n_cells()
-         << "\nUnknowns         " << (dim + 1) * fluid_mesh.n_vertices() << "\nFluid volume     "
+    const auto &vertices          = fluid_mesh.particles();
+    const unsigned int n_vertices = count_on_ranks(std::count_if(
+      vertices.begin(), vertices.end(), [&](const unsigned int i) { return particles.is_own(i); }));
+    text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
+         << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
+         << "\nFluid cells      " << count_on_ranks(fluid_mesh.own_cells(particles).size())
+         << "\nUnknowns         " << (dim + 1) * n_vertices << "\nFluid volume     "
          << initial_volume << (dim == 2 ? " m^2" : " m^3");
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
@@ -170,7 +178,7 @@ namespace Lahar
                               parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
                                                               : parameters.end_time,
                               fastest_movement(), parameters.largest_movement));
-      cell_steps += fluid_mesh.n_cells();
+      cell_steps += n_cells;
 
       TimerOutput::Scope scope(timer, "Output");
       if (parameters.output_interval == 0. || time >= output_time - rounding ||
@@ -197,14 +205,42 @@ namespace Lahar
   {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       return;
+    const SolidState<dim> &state = solids.state();
     boost::crc_32_type sum;
-    sum.process_bytes(particles.position.data(), particles.size() * sizeof(Point<dim>));
-    sum.process_bytes(particles.velocity.data(), particles.size() * sizeof(Tensor<1, dim>));
+    sum.process_bytes(&time, sizeof(time));
+    sum.process_bytes(state.position.data(), state.position.size() * sizeof(Point<dim>));
+    sum.process_bytes(state.velocity.data(), state.velocity.size() * sizeof(Tensor<1, dim>));
     const auto range = Utilities::MPI::min_max_avg(static_cast<double>(sum.checksum()), communicator);
     if (range.min != range.max)
       throw RunError("Time " + std::to_string(time) +
-                     " s: the ranks' particles differ. Do all ranks run the same program on the same kind of "
+                     " s: the ranks' solids differ. Do all ranks run the same program on the same kind of "
                      "processor?");
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::migrate()
+  {
+    migration.migrate(particles, fluid_mesh,
+                      remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator),
+                      solids.mesh().n_contour_nodes());
+  }
+
+
+
+  template <int dim>
+  double Simulator<dim>::sum_of_ranks(const double value) const
+  {
+    return Utilities::MPI::sum(value, communicator);
+  }
+
+
+
+  template <int dim>
+  unsigned int Simulator<dim>::count_on_ranks(const unsigned int n) const
+  {
+    return Utilities::MPI::sum(n, communicator);
   }
 
 
@@ -222,7 +258,7 @@ namespace Lahar
       {
         time_integration.start_step(time_step, step_number == 0);
         problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
-                           remeshing.arrives, solids, time + time_step);
+                           remeshing.arrives, solids, time + time_step, migration);
         report = scheme->solve(problem);
         check_movements();
         accepted = true;
@@ -256,28 +292,30 @@ namespace Lahar
   void Simulator<dim>::remesh(const double time_step)
   {
     TimerOutput::Scope scope(timer, "Remesh");
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    if (const unsigned int n_dropped = domain_limit.drop_outside(particles, fluid_mesh))
+    if (const unsigned int n_dropped = count_on_ranks(domain_limit.drop_outside(particles, fluid_mesh)))
     {
       n_left += n_dropped;
-      const double volume_inside = fluid_mesh.volume(particles);
+      const double volume_inside = sum_of_ranks(fluid_mesh.volume(particles));
       left_volume += (volume - volume_inside) / initial_volume;
       volume = volume_inside;
     }
+    migrate();
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
     mesh_size.update(particles);
     try
     {
-      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh);
+      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
+                                  migration);
     }
     catch (const RunError &error)
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
-    n_forced_facets += remeshing.n_forced;
-    const double new_volume = fluid_mesh.volume(particles);
+    n_forced_facets += count_on_ranks(remeshing.n_forced);
+    const double new_volume = sum_of_ranks(fluid_mesh.volume(particles));
     change_by_remeshing += (new_volume - volume) / initial_volume;
     volume = new_volume;
-    if (fluid_mesh.n_cells() == 0 && solids.empty())
+    if (new_volume == 0. && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated or have left the domain.");
   }
@@ -290,7 +328,7 @@ namespace Lahar
     double fastest = std::numeric_limits<double>::min();
     for (const unsigned int i : fluid_mesh.particles())
       fastest = std::max(fastest, particles.velocity[i].norm() / particles.spacing[i]);
-    return fastest;
+    return Utilities::MPI::max(fastest, communicator);
   }
 
 
@@ -320,7 +358,7 @@ namespace Lahar
     solid_forces = problem.solid_reactions();
     if (geometry.has_fluid())
     {
-      const double new_volume = fluid_mesh.volume(particles);
+      const double new_volume = sum_of_ranks(fluid_mesh.volume(particles));
       change_by_solver += (new_volume - volume) / initial_volume;
       volume = new_volume;
     }
@@ -331,9 +369,12 @@ namespace Lahar
     solids.move_particles(in_mesh, particles);
     move_isolated_particles(fluid_mesh, gravity, time_step, particles);
     stop_at_walls(old_position, walls, particles);
-    n_kept_out += SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles);
+    n_kept_out += count_on_ranks(
+      SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
     slip_condition.update(old_position, particles);
+    migration.update(particles);
     fluid_mesh.move(particles);
+    n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
   }
 
 

@@ -1,3 +1,6 @@
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <lahar/simulator/solid_step.h>
 
 #include <algorithm>
@@ -11,8 +14,8 @@ namespace Lahar
   {
     solids = &new_solids;
     system_nodes.clear();
-    n_own = n_shared = 0;
-    n_vertices       = mesh.n_vertices();
+    own_nodes.clear();
+    n_vertices = mesh.n_vertices();
     if (solids->empty())
       return;
     integration     = new_integration;
@@ -21,11 +24,14 @@ namespace Lahar
     // The solids' particles come first in the cloud, and so among the vertices.
     const SolidMesh<dim> &solid_mesh = solids->mesh();
     system_nodes.assign(solid_mesh.n_nodes(), numbers::invalid_unsigned_int);
-    for (; n_shared < n_vertices && mesh.particle(n_shared) < solid_mesh.n_contour_nodes(); ++n_shared)
-      system_nodes[mesh.particle(n_shared)] = n_shared;
-    for (unsigned int &node : system_nodes)
-      if (node == numbers::invalid_unsigned_int)
-        node = n_vertices + n_own++;
+    for (unsigned int v = 0; v < n_vertices && mesh.particle(v) < solid_mesh.n_contour_nodes(); ++v)
+      system_nodes[mesh.particle(v)] = v;
+    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+      if (system_nodes[i] == numbers::invalid_unsigned_int)
+      {
+        system_nodes[i] = n_vertices + own_nodes.size();
+        own_nodes.push_back(i);
+      }
 
     state = solids->state();
     for (unsigned int i = 0; i < solid_mesh.n_nodes(); ++i)
@@ -76,17 +82,18 @@ namespace Lahar
   {
     if (system_nodes.empty())
       return {};
-    const std::vector<double> gathered = partition.gather(reinterpret_cast<const double *>(values.data()),
-                                                          dim,
-                                                          {{0, n_shared}, {n_vertices, n_vertices + n_own}});
+    std::vector<std::pair<unsigned int, Tensor<1, dim>>> own;
+    for (const auto &[l, i] : known_nodes(partition))
+      if (l < partition.n_own())
+        own.emplace_back(i, values[l]);
     std::vector<Tensor<1, dim>> result(system_nodes.size());
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
-    {
-      const unsigned int node  = system_nodes[i];
-      const std::size_t number = node < n_vertices ? node : n_shared + node - n_vertices;
-      for (unsigned int a = 0; a < dim; ++a)
-        result[i][a] = gathered[dim * number + a];
-    }
+    if (Utilities::MPI::n_mpi_processes(partition.communicator()) == 1)
+      for (const auto &[i, value] : own)
+        result[i] = value;
+    else
+      for (const auto &of_rank : Utilities::MPI::all_gather(partition.communicator(), own))
+        for (const auto &[i, value] : of_rank)
+          result[i] = value;
     return result;
   }
 

@@ -10,19 +10,19 @@ namespace Lahar
                                     const std::vector<NodeConstraint<dim>> &vertex_constraints,
                                     const FluidLaw &law, const Tensor<1, dim> &new_gravity,
                                     const TimeIntegration &integration, const std::vector<bool> &arrives,
-                                    const Solids<dim> &solids, const double end_time)
+                                    const Solids<dim> &solids, const double end_time,
+                                    const Migration<dim> &migration)
   {
-    whole_mesh       = &new_mesh;
+    region_mesh      = &new_mesh;
     fluid_law        = &law;
     gravity          = new_gravity;
     time_integration = integration;
-    arriving         = arrives;
-    solid.start(solids, *whole_mesh, time_integration.with_gamma(solids.newmark_gamma()), end_time);
-    reinit_system(cloud);
+    solid.start(solids, *region_mesh, time_integration.with_gamma(solids.newmark_gamma()), end_time);
+    reinit_system(cloud, migration);
     set_constraints(vertex_constraints);
     linear_solver->forget();
 
-    // Arrays over all vertices are by vertex of the whole mesh, of which this rank takes what it knows.
+    // What is told by vertex is by those of the region's mesh.
     std::vector<bool> arrives_here, can_be_held(constraints.size(), false);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
@@ -84,33 +84,60 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud)
+  void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration)
   {
-    std::vector<Point<dim>> positions(whole_mesh->n_vertices() + solid.n_own_nodes());
+    std::vector<Point<dim>> positions(region_mesh->n_vertices() + solid.n_own_nodes());
     solid.get_positions(positions);
-    for (unsigned int v = 0; v < whole_mesh->n_vertices(); ++v)
-      positions[v] = cloud.position[whole_mesh->particle(v)];
-    if (whole_mesh->connectivity_number() != connectivity_number || solid.nodes() != numbered_solid_nodes)
+    for (unsigned int v = 0; v < region_mesh->n_vertices(); ++v)
+      positions[v] = cloud.position[region_mesh->particle(v)];
+    const bool is_alone = migration.is_alone();
+    if (!is_alone || region_mesh->connectivity_number() != connectivity_number ||
+        solid.nodes() != numbered_solid_nodes)
     {
       TimerOutput::Scope scope(timer, "Set up system");
-      connectivity_number  = whole_mesh->connectivity_number();
+      connectivity_number  = region_mesh->connectivity_number();
       numbered_solid_nodes = solid.nodes();
-      system.reinit(whole_mesh->n_vertices(), whole_mesh->cells(), solid.n_own_nodes(), solid.cells(),
-                    solid.nodes_per_cell(), positions);
+      std::vector<unsigned int> owners;
+      std::vector<std::uint64_t> keys;
+      if (!is_alone)
+        identify_nodes(cloud, migration, positions, owners, keys);
+      system.reinit(region_mesh->n_vertices(), region_mesh->cells(), solid.n_own_nodes(), solid.cells(),
+                    solid.nodes_per_cell(), positions, owners, keys);
       solution = system.make_vector();
     }
     else
       system.set_positions(positions);
 
-    mesh = whole_mesh;
-    if (Utilities::MPI::n_mpi_processes(communicator()) == 1)
+    mesh = region_mesh;
+    if (is_alone)
       return;
     std::vector<unsigned int> vertices;
     for (const unsigned int node : system.partition().nodes())
-      if (node < system.n_fluid_nodes())
+      if (node < region_mesh->n_vertices())
         vertices.push_back(node);
-    part.reinit_part(*whole_mesh, vertices, system.cells());
+    part.reinit_part(*region_mesh, vertices, system.cells());
     mesh = &part;
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
+                                        const std::vector<Point<dim>> &positions,
+                                        std::vector<unsigned int> &owners,
+                                        std::vector<std::uint64_t> &keys) const
+  {
+    for (const unsigned int i : region_mesh->particles())
+    {
+      owners.push_back(cloud.owner[i]);
+      keys.push_back(cloud.number[i]);
+    }
+    constexpr std::uint64_t beyond_particles = 1ULL << 60;
+    for (unsigned int node = region_mesh->n_vertices(); node < positions.size(); ++node)
+    {
+      owners.push_back(migration.rank_at(positions[node]));
+      keys.push_back(beyond_particles + solid.solid_node(node));
+    }
   }
 
 
@@ -137,9 +164,11 @@ namespace Lahar
   template void StepProblem<2>::start_step(const FluidMesh<2> &, const ParticleCloud<2> &,
                                            const std::vector<NodeConstraint<2>> &, const FluidLaw &,
                                            const Tensor<1, 2> &, const TimeIntegration &,
-                                           const std::vector<bool> &, const Solids<2> &, const double);
+                                           const std::vector<bool> &, const Solids<2> &, const double,
+                                         const Migration<2> &);
   template void StepProblem<3>::start_step(const FluidMesh<3> &, const ParticleCloud<3> &,
                                            const std::vector<NodeConstraint<3>> &, const FluidLaw &,
                                            const Tensor<1, 3> &, const TimeIntegration &,
-                                           const std::vector<bool> &, const Solids<3> &, const double);
+                                           const std::vector<bool> &, const Solids<3> &, const double,
+                                         const Migration<3> &);
 } // namespace Lahar

@@ -47,7 +47,7 @@ namespace Lahar
   {
     std::vector<Tensor<1, dim>> velocities = by_node(fluid.state.velocity);
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
-      if (system.partition().nodes()[node] >= system.n_fluid_nodes())
+      if (!system.is_fluid(node))
         velocities[node] = solid.velocity(i);
     return velocities;
   }
@@ -332,12 +332,13 @@ namespace Lahar
   template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::reactions() const
   {
-    const std::vector<double> values =
-      system.partition().gather(reinterpret_cast<const double *>(system.momentum_residual().data()), dim,
-                                {{0, system.n_fluid_nodes()}});
-    std::vector<Tensor<1, dim>> result(system.n_fluid_nodes());
-    for (unsigned int i = 0; i < values.size(); ++i)
-      result[i / dim][i % dim] = values[i];
+    std::vector<Tensor<1, dim>> residuals = system.momentum_residual(), result(region_mesh->n_vertices());
+    system.partition().update(residuals);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      const unsigned int node                 = system.local_number(v);
+      result[system.partition().nodes()[node]] = residuals[node];
+    }
     return result;
   }
 
@@ -355,30 +356,7 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solids);
-    if (mesh == whole_mesh)
-      fluid.accept(cloud);
-    else
-    {
-      // Velocities and pressures of all vertices; all else follows from them.
-      const NodePartition &partition = system.partition();
-      const auto velocity            = by_node(fluid.state.velocity);
-      const auto pressure            = by_node(fluid.state.pressure);
-      std::vector<double> own;
-      for (unsigned int l = 0; l < partition.n_own(); ++l)
-      {
-        own.insert(own.end(), velocity[l].begin_raw(), velocity[l].end_raw());
-        own.push_back(pressure[l]);
-      }
-      const std::vector<double> all = partition.gather(own.data(), dim + 1, {{0, system.n_fluid_nodes()}});
-      std::vector<Tensor<1, dim>> velocities(whole_mesh->n_vertices());
-      FluidStep<dim> whole;
-      whole.start(*whole_mesh, cloud, time_integration, arriving);
-      for (unsigned int i = 0; i < all.size(); ++i)
-        (i % (dim + 1) < dim ? velocities[i / (dim + 1)][i % (dim + 1)]
-                             : whole.state.pressure[i / (dim + 1)]) = all[i];
-      whole.move(velocities);
-      whole.accept(cloud);
-    }
+    fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }
 

@@ -283,6 +283,24 @@ namespace Lahar
 
 
 
+  template <int dim>
+  double Solids<dim>::longest_edge() const
+  {
+    double longest_square = 0.;
+    if (!empty())
+      for (unsigned int c = 0; c < solid_mesh->n_cells(); ++c)
+      {
+        const unsigned int *nodes = solid_mesh->cell_nodes(c);
+        for (unsigned int I = 0; I < solid_mesh->nodes_per_cell(); ++I)
+          for (unsigned int J = 0; J < I; ++J)
+            longest_square = std::max(longest_square,
+                                      present.position[nodes[I]].distance_square(present.position[nodes[J]]));
+      }
+    return std::sqrt(longest_square);
+  }
+
+
+
   template class Solids<2>;
   template class Solids<3>;
 } // namespace Lahar

@@ -13,19 +13,22 @@ namespace Lahar
 
 
 
-  void HaloExchange::reinit(const unsigned int n_own, const std::vector<unsigned int> &owners,
-                            const std::vector<unsigned int> &numbers)
+  void HaloExchange::reinit(const std::vector<unsigned int> &copies, const std::vector<unsigned int> &owners,
+                            const std::vector<std::uint64_t> &keys,
+                            const std::function<unsigned int(const std::uint64_t)> &find)
   {
-    AssertDimension(owners.size(), numbers.size());
+    AssertDimension(owners.size(), copies.size());
+    AssertDimension(keys.size(), copies.size());
     std::map<unsigned int, Neighbour> by_rank;
-    std::map<unsigned int, std::vector<unsigned int>> wanted;
-    for (unsigned int i = 0; i < owners.size(); ++i)
+    std::map<unsigned int, std::vector<std::uint64_t>> wanted;
+    for (unsigned int i = 0; i < copies.size(); ++i)
     {
-      wanted[owners[i]].push_back(numbers[i]);
-      by_rank[owners[i]].received.push_back(n_own + i);
+      wanted[owners[i]].push_back(keys[i]);
+      by_rank[owners[i]].received.push_back(copies[i]);
     }
-    for (auto &[rank, sent] : Utilities::MPI::some_to_some(communicator, wanted))
-      by_rank[rank].sent = sent;
+    for (const auto &[rank, their_keys] : Utilities::MPI::some_to_some(communicator, wanted))
+      for (const std::uint64_t key : their_keys)
+        by_rank[rank].sent.push_back(find(key));
 
     neighbours.clear();
     for (auto &[rank, neighbour] : by_rank)

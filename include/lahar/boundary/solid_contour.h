@@ -38,7 +38,7 @@ namespace Lahar
      * Keep the fluid particles out of the solids. @p cloud has them after a step in which all particles, the contour's
      * too, came from @p old_position. A particle that has passed through a facet (in the facet's frame, both paths
      * taken as straight) or lies inside is put a tenth of its spacing in front of the contour and takes its velocity.
-     * @return how many there were.
+     * @return how many of them are this rank's own.
      */
     unsigned int keep_out(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const;
 

@@ -2,6 +2,7 @@
 #define lahar_linear_block_system_h
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -13,6 +14,7 @@
 #include <lahar/linear/node_partition.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace Lahar
@@ -53,13 +55,15 @@ namespace Lahar
 
     /**
      * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
-     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own. With more
-     * than one rank the nodes are shared out by their @p positions, or by their numbers if there are none; solids need
-     * positions. Collective.
+     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own; solids
+     * need the nodes' @p positions. Collective.
+     * @param owners, @p keys see NodePartition::reinit(); without owners all ranks have the whole mesh, and an equal
+     * share of the nodes' numbers each.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
                 const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
-                const unsigned int nodes_per_solid_cell = 0, const std::vector<Point<dim>> &positions = {});
+                const unsigned int nodes_per_solid_cell = 0, const std::vector<Point<dim>> &positions = {},
+                const std::vector<unsigned int> &owners = {}, const std::vector<std::uint64_t> &keys = {});
 
     /// Numbers of the fluid's cells that this rank adds, ascending.
     const std::vector<unsigned int> &cells() const
@@ -73,7 +77,7 @@ namespace Lahar
       return node_partition.cells(1);
     }
 
-    /// Tell where the nodes are now, if they were told to reinit(). All ranks call it for all nodes.
+    /// Tell where the nodes are now, if they were told to reinit().
     void set_positions(const std::vector<Point<dim>> &positions);
 
     /// The fluid's cells that this rank adds, by local numbers of nodes.
@@ -101,7 +105,7 @@ namespace Lahar
      */
     void add_solid(const unsigned int k, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
 
-    /// Add a force of a node, to residual and solid_residual(). All ranks call it for all nodes.
+    /// Add a force of a node, to residual and solid_residual(). All ranks call it for all nodes that have such.
     void add_solid(const unsigned int node, const Tensor<1, dim> &residual);
 
     /// All nodes.
@@ -110,10 +114,17 @@ namespace Lahar
       return node_partition.n_nodes();
     }
 
-    /// Nodes with a pressure.
-    unsigned int n_fluid_nodes() const
+    /// Whether a node, by local number, has a pressure.
+    bool is_fluid(const unsigned int local_node) const
     {
-      return n_pressures;
+      return fluid_numbers[local_node] < fluid_numbers[local_node + 1];
+    }
+
+    /// How many pressures of all ranks come before that of a node, by its local number; of one without pressure, before
+    /// those of the nodes after it.
+    const std::vector<unsigned int> &pressures_before() const
+    {
+      return n_pressures_before;
     }
 
     /// Whether some cells are those of solids.
@@ -221,8 +232,8 @@ namespace Lahar
 
     NodePartition node_partition;
     std::vector<Point<dim>> own_positions;
-    unsigned int n_pressures = 0, n_own_pressures = 0;
-    std::vector<unsigned int> fluid_numbers, local_numbers;
+    unsigned int n_fluid_nodes = 0, n_own_pressures = 0;
+    std::vector<unsigned int> fluid_numbers, local_numbers, n_pressures_before;
 
     using Places = std::vector<std::array<unsigned short, n_corners * n_corners>>;
 

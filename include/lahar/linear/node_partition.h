@@ -2,11 +2,11 @@
 #define lahar_linear_node_partition_h
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/point.h>
 
 #include <lahar/linear/nodal_graph.h>
 #include <lahar/utilities/halo_exchange.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace Lahar
@@ -16,12 +16,14 @@ namespace Lahar
   /**
    * Which rank owns which of a system's nodes, and what of the system this rank works on.
    *
-   * A rank knows its own nodes; the halo, the other nodes of cells that have a node of its own; the outer nodes, the
-   * other nodes of cells that have a node of the halo; and all those cells. Adding up the cells that it knows gives
-   * complete rows for its own nodes and for the halo, without communication.
+   * A rank numbers the nodes that it has heard of as it likes. Of these it works on its own nodes; the halo, the other
+   * nodes of cells that have a node of its own; the outer nodes, the other nodes of cells that have a node of the halo;
+   * and all those cells. These it knows. Adding up the cells that it knows gives complete rows for its own nodes and for
+   * the halo, without communication.
    *
-   * Local numbers: its own nodes in the order of their numbers, then the halo by owner and number, the order in which
-   * Trilinos wants a matrix's columns, then the outer nodes. On one rank local numbers are the global ones.
+   * Local numbers: its own nodes in the order of their numbers, then the halo by owner and number, then the outer nodes.
+   * Global numbers: the first rank's own nodes in that order, then those of the next one and so on. On one rank both are
+   * the numbers themselves.
    */
   class NodePartition
   {
@@ -29,11 +31,17 @@ namespace Lahar
     explicit NodePartition(const MPI_Comm &communicator);
 
     /**
-     * @param owners rank of each node; if empty, each rank has an equal share of the numbers.
-     * @param lists the cells, by global node numbers.
+     * Collective.
+     * @param owners rank of each node that this rank has heard of.
+     * @param keys what identifies the node on all ranks that have heard of it, ascending.
+     * @param lists the cells, by numbers of nodes: at least all those with an own node, and those with a node of these.
      */
-    void reinit(const unsigned int n_nodes, const std::vector<unsigned int> &owners,
+    void reinit(const std::vector<unsigned int> &owners, const std::vector<std::uint64_t> &keys,
                 const std::vector<CellList> &lists);
+
+    /// Share out @p n_nodes nodes of which all ranks have heard by the same numbers: each has an equal share of the
+    /// numbers. Collective.
+    void reinit(const unsigned int n_nodes, const std::vector<CellList> &lists);
 
     const MPI_Comm &communicator() const
     {
@@ -54,13 +62,19 @@ namespace Lahar
     /// All nodes of all ranks.
     unsigned int n_nodes() const
     {
-      return by_owner.size();
+      return n_all_nodes;
     }
 
-    /// Numbers of the nodes that this rank knows.
+    /// Numbers of the nodes that this rank knows, by local number.
     const std::vector<unsigned int> &nodes() const
     {
-      return global_numbers;
+      return numbers_here;
+    }
+
+    /// Global numbers of the nodes that this rank knows, by local number.
+    const std::vector<unsigned int> &global_numbers() const
+    {
+      return numbers_everywhere;
     }
 
     /// Local number of a node; numbers::invalid_unsigned_int if this rank does not know it.
@@ -85,40 +99,24 @@ namespace Lahar
     template <typename T>
     void update(std::vector<T> &values) const
     {
-      AssertDimension(values.size(), global_numbers.size());
+      AssertDimension(values.size(), numbers_here.size());
       exchange.update(reinterpret_cast<double *>(values.data()), sizeof(T) / sizeof(double));
     }
 
-    /// Ranges of numbers: first and one beyond the last, ascending.
-    using Ranges = std::vector<std::pair<unsigned int, unsigned int>>;
-
-    /**
-     * Collect on all ranks the values of the nodes in the @p ranges from their owners: @p own holds @p n_components
-     * values a node by local number. @return the values in the order of the ranges. Collective.
-     */
-    std::vector<double> gather(const double *own, const unsigned int n_components,
-                               const Ranges &ranges) const;
+    /// Let each rank number some of its nodes, one after the other and rank after rank: by local number how many of all
+    /// the marked nodes come before the node. @param marked by local number; what it says of own nodes counts.
+    /// Collective.
+    std::vector<unsigned int> count_before(const std::vector<bool> &marked) const;
 
   private:
     void find_known(const std::vector<unsigned int> &owners, const std::vector<CellList> &lists);
 
     MPI_Comm mpi_communicator;
-    unsigned int n_own_nodes = 0, n_row_nodes = 0;
-    std::vector<unsigned int> global_numbers, local_numbers;
+    unsigned int n_own_nodes = 0, n_row_nodes = 0, n_all_nodes = 0;
+    std::vector<unsigned int> numbers_here, numbers_everywhere, local_numbers;
     std::vector<std::vector<unsigned int>> known_cells;
-    std::vector<unsigned int> by_owner, first_of_rank; ///< all nodes, sorted by owner and number
     HaloExchange exchange;
   };
-
-
-
-  /**
-   * Share nodes among @p n_ranks ranks: in the order of a Hilbert curve through their positions, each rank takes a piece
-   * of equal weight, which is the number of cells at the node plus one. @return the owner of each node.
-   */
-  template <int dim>
-  std::vector<unsigned int> share_nodes(const std::vector<Point<dim>> &positions,
-                                        const std::vector<CellList> &lists, const unsigned int n_ranks);
 } // namespace Lahar
 
 #endif

@@ -8,6 +8,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace Lahar
@@ -28,6 +29,9 @@ namespace Lahar
    *
    * A structure of arrays, one entry a particle in each. Indices stay valid until remove() or append(); meshes refer to
    * particles by index. Units are SI; pressure is positive in tension.
+   *
+   * On several ranks a cloud holds the particles that its rank owns and copies of others; particles are in the order of
+   * their numbers, which are the same on all ranks.
    */
   template <int dim>
   class ParticleCloud
@@ -44,18 +48,37 @@ namespace Lahar
     std::vector<ParticleKind> kind;
     std::vector<double> spacing;                   ///< wanted distance h to the next particles, m
     std::vector<std::array<int, dim>> slip_facets; ///< facets of the slip walls on which the particle slides
+    std::vector<std::uint64_t> number;             ///< identifies the particle, ascending
+    std::vector<unsigned int> owner;               ///< the rank that it belongs to
+
+    unsigned int rank         = 0; ///< this rank
+    std::uint64_t next_number = 0; ///< of the next new particle
 
     std::size_t size() const
     {
       return position.size();
     }
 
-    /// Append a particle at rest, without pressure and without contact to a slip wall. Return its index.
+    bool is_own(const unsigned int particle) const
+    {
+      return owner[particle] == rank;
+    }
+
+    /// The owner of a cell, by its corners: that of its first fluid particle.
+    unsigned int owner_of(const std::array<unsigned int, dim + 1> &cell) const;
+
+    bool is_own(const std::array<unsigned int, dim + 1> &cell) const
+    {
+      return owner_of(cell) == rank;
+    }
+
+    /// Append a particle of this rank at rest, without pressure and without contact to a slip wall. Return its index.
     unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing);
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, acceleration,
-     * pressure, its rate and spacing are their means; it slides on the slip facets that both share. Return its index.
+     * pressure, its rate and spacing are their means; it slides on the slip facets that both share and belongs to the
+     * owner of @p a. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
 
@@ -66,7 +89,21 @@ namespace Lahar
      */
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
-    /// Number of particles of one kind.
+    /// A particle as numbers, to send it.
+    using Record = std::array<double, 4 * dim + 6>;
+
+    Record record(const unsigned int particle) const;
+
+    /// Make a particle what the record says.
+    void set(const unsigned int particle, const Record &record);
+
+    /// Append the particle of a record.
+    void append(const Record &record);
+
+    /// Index of the particle with a number; numbers::invalid_unsigned_int if it is not here.
+    unsigned int find(const std::uint64_t particle_number) const;
+
+    /// Number of this rank's own particles of one kind.
     unsigned int n_particles(const ParticleKind kind) const;
 
     /// Whether the particle slides on at least one slip wall.
@@ -75,7 +112,8 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &position &velocity &acceleration &pressure &pressure_rate &kind &spacing &slip_facets;
+      archive &position &velocity &acceleration &pressure &pressure_rate &kind &spacing &slip_facets &number
+        &owner &next_number;
     }
   };
 } // namespace Lahar

@@ -7,6 +7,7 @@
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/solid/solids.h>
 
 #include <memory>
@@ -14,7 +15,12 @@
 
 namespace Lahar
 {
-  /// The state after a step, as postprocessors see it.
+  /**
+   * The state after a step, as postprocessors see it.
+   *
+   * On several ranks cloud and mesh are what this rank knows. Sums run over what is its own (ParticleCloud::is_own(), of
+   * particles and of cells), and then over the ranks; all evaluations are collective.
+   */
   template <int dim>
   struct Snapshot
   {
@@ -26,7 +32,18 @@ namespace Lahar
       &wall_forces; ///< force of walls and solids on the fluid by vertex, N; empty at the start
     const Solids<dim> &solids;
     const std::vector<Tensor<1, dim>> &solid_forces; ///< force of fluid and supports on the solids by node, N
+    const Migration<dim> &migration;
     double time = 0.;
+
+    const MPI_Comm &communicator() const
+    {
+      return migration.communicator();
+    }
+
+    double sum_of_ranks(const double value) const
+    {
+      return Utilities::MPI::sum(value, communicator());
+    }
   };
 
   /**

@@ -53,11 +53,11 @@ namespace Lahar
       }
     };
 
-    /// Each rank its piece, then the list. @return the name of the file with all of the fluid.
+    /// Each rank its own cells, then the list. @return the name of the file with all of the fluid; none if there is none.
     std::string write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const;
-    /// @return the list of the pieces.
-    std::string write_piece(const Snapshot<dim> &snapshot, const std::string &name,
-                            const unsigned int n_pieces) const;
+    /// Write the mesh to one of the @p pieces. @return the list of these.
+    std::string write_piece(const Snapshot<dim> &snapshot, const std::string &file_name,
+                            const std::vector<std::string> &pieces) const;
     void write_records() const;
 
     std::string directory;

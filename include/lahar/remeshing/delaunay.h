@@ -73,14 +73,44 @@ namespace Lahar
   std::vector<Simplex<dim>> delaunay(const std::vector<Point<dim>> &points);
 
   /**
-   * The constrained Delaunay triangles of @p points: all @p segments, which may meet at their ends only, are edges.
-   *
-   * @param n_forced returns how many segments are no edges of the Delaunay triangulation without constraints.
-   * @throws RunError if two segments cross, with the place.
+   * The constrained Delaunay triangulation of a growing part of given points: all segments between some of them, which
+   * may meet at their ends only, are edges. A triangle's circumcircle holds no point that can be seen from the triangle
+   * past the segments.
    */
-  std::vector<Simplex<2>> constrained_delaunay(const std::vector<Point<2>> &points,
-                                               const std::vector<std::array<unsigned int, 2>> &segments,
-                                               unsigned int &n_forced);
+  class ConstrainedDelaunay
+  {
+  public:
+    /// The arguments must outlive this object.
+    ConstrainedDelaunay(const std::vector<Point<2>> &points,
+                        const std::vector<std::array<unsigned int, 2>> &segments);
+    ~ConstrainedDelaunay();
+
+    /**
+     * Insert more of the points, by index, the ends of all segments with the first ones.
+     * @throws RunError if two segments cross, with the place.
+     */
+    void insert(const std::vector<unsigned int> &indices);
+
+    /// As DelaunayTriangulation::simplices().
+    std::vector<Simplex<2>> simplices() const;
+
+    /// By segment whether it was no edge of the triangulation of the points inserted first without constraints.
+    const std::vector<bool> &forced() const
+    {
+      return is_forced;
+    }
+
+  private:
+    struct Implementation;
+
+    void insert_segments();
+
+    const std::vector<Point<2>> &points;
+    const std::vector<std::array<unsigned int, 2>> &segments;
+    std::vector<unsigned int> inserted;
+    std::vector<bool> is_forced;
+    std::unique_ptr<Implementation> implementation;
+  };
 } // namespace Lahar
 
 #endif

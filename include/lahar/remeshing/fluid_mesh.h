@@ -21,12 +21,6 @@ namespace Lahar
     unsigned int cell;
     unsigned int opposite; ///< the cell's corner that the face does not have
     bool free_surface;     ///< not all corners are wall or solid particles, or slide on one common slip facet
-
-    template <typename Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &cell &opposite &free_surface;
-    }
   };
 
   /**
@@ -36,6 +30,9 @@ namespace Lahar
    * index arrays, which the assembly runs over. For output and everything that deal.II does on meshes it is a simplex
    * Triangulation with a P1 DoFHandler, too, whose degree of freedom i belongs to vertex i; as that takes longer than
    * the rest of a remeshing, they are made when someone asks for them.
+   *
+   * On several ranks it is the mesh of the particles that this rank knows. Boundary faces at the rim of that region,
+   * where cells are missing, are none of the fluid's.
    */
   template <int dim>
   class FluidMesh
@@ -58,28 +55,14 @@ namespace Lahar
     void reinit_part(const FluidMesh<dim> &whole, const std::vector<unsigned int> &vertices,
                      const std::vector<unsigned int> &cells);
 
-    /// Write what does not follow from the particles.
-    template <typename Archive>
-    void save(Archive &archive) const
-    {
-      archive &cells_of_particles &faces;
-    }
-
-    /// Make the mesh that save() has written, of the same particles.
-    template <typename Archive>
-    void load(Archive &archive, const ParticleCloud<dim> &cloud)
-    {
-      std::vector<Simplex<dim>> cells;
-      archive &cells;
-      reinit(cloud, cells);
-      archive &faces;
-    }
-
     /// Counts the changes of the connectivity.
     unsigned int connectivity_number() const
     {
       return n_changes;
     }
+
+    /// Find the boundary faces by the present contacts of the particles with slip walls.
+    void find_boundary_faces(const ParticleCloud<dim> &cloud);
 
     /// Give the vertices the present positions of their particles.
     void move(const ParticleCloud<dim> &cloud);
@@ -126,8 +109,11 @@ namespace Lahar
     /// By particle: whether it is a corner of a free-surface face.
     std::vector<bool> on_free_surface(const unsigned int n_particles) const;
 
-    /// Volume (area in 2D) with the particles at their present positions.
+    /// Volume (area in 2D) of this rank's own cells with the particles at their present positions.
     double volume(const ParticleCloud<dim> &cloud) const;
+
+    /// Numbers of this rank's own cells, ascending.
+    std::vector<unsigned int> own_cells(const ParticleCloud<dim> &cloud) const;
 
     /// Valid until the next reinit() or move().
     const Triangulation<dim> &triangulation() const
@@ -151,8 +137,6 @@ namespace Lahar
   private:
     /// If it does not exist yet.
     void make_triangulation() const;
-
-    void find_boundary_faces(const ParticleCloud<dim> &cloud);
 
     FE_SimplexP<dim> fe;
     MappingFE<dim> map;

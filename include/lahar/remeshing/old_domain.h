@@ -47,11 +47,19 @@ namespace Lahar
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
-    /**
-     * The cells of the last mesh and their volumes, in the numbering of the present @p n_particles particles; a
-     * removed particle has a number of its own from @p n_particles on.
-     */
-    std::vector<std::pair<Simplex<dim>, double>> renumbered_cells(const unsigned int n_particles) const;
+    /// A cell of the last mesh in the numbering of the present particles.
+    struct OldCell
+    {
+      Simplex<dim> corners; ///< removed particles have numbers of their own beyond all others
+      double volume;
+      bool own; ///< by ParticleCloud::is_own()
+    };
+
+    /// The cells of the last mesh in their order.
+    std::vector<OldCell> renumbered_cells() const;
+
+    /// The present particles that had a cell together with @p particle, a present one or a corner of an OldCell.
+    std::vector<unsigned int> old_neighbours(const unsigned int particle) const;
 
   private:
     struct Cell
@@ -60,6 +68,7 @@ namespace Lahar
       Point<dim> origin;
       Simplex<dim> corners; ///< old indices
       double volume;
+      bool own;
     };
 
     /// Whether the simplex, its corners in canonical() order, is one of the cells; renumbering keeps that order.
@@ -71,6 +80,7 @@ namespace Lahar
     std::vector<std::vector<unsigned int>> cells_of; ///< by old index
     std::vector<std::pair<unsigned int, unsigned int>>
       seeds; ///< by new index: old index (twice) or the parents'
+    std::vector<unsigned int> new_index; ///< by old index; of a removed particle one beyond all others
   };
 } // namespace Lahar
 

@@ -4,6 +4,7 @@
 #include <lahar/boundary/walls.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/old_domain.h>
 #include <lahar/utilities/parameters.h>
 
@@ -19,6 +20,10 @@ namespace Lahar
    * that the area under the surface stays. Particles nearer to a no-slip wall than h/10 go: Delaunay simplices between
    * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
    * get a particle in their middle.
+   *
+   * What happens to an edge depends on its surroundings only: of several short edges that would change the same particle
+   * the shortest has its way, and an edge is divided if it is the longest one at both of its ends. The others' turn comes
+   * with the next remeshing. So the result does not depend on the order of the edges, nor on the number of ranks.
    */
   template <int dim>
   class ParticleSpacing
@@ -27,20 +32,43 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /// Remove and insert particles along the edges of @p mesh; @p old_domain follows. The mesh is of no use afterwards.
+    /// Remove and insert particles along the edges of @p mesh; @p old_domain and @p migration follow. The mesh is of no
+    /// use afterwards. Collective.
     void adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
-               OldDomain<dim> &old_domain) const;
+               OldDomain<dim> &old_domain, Migration<dim> &migration) const;
 
   private:
     using Edge = std::pair<unsigned int, unsigned int>;
 
+    /// What may become of a short edge.
+    struct Removal
+    {
+      double length; ///< of the edge over the spacing
+      Edge edge;
+      unsigned int removed;
+      std::vector<unsigned int> moved;  ///< the particle that takes the place of both, if one does
+      std::vector<unsigned int> needed; ///< particles that must stay as they are
+      Point<dim> place;                 ///< of the moved particle, m
+    };
+
+    /// The removals of all short edges, given the particles that are @p removed anyway, the shortest first.
+    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                                         const std::vector<Edge> &edges,
+                                         const std::vector<bool> &removed) const;
+
     /// Particles to remove; merges move the surviving ones.
     std::vector<bool> find_removals(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                    const FluidMesh<dim> &mesh, const std::vector<Edge> &edges) const;
+                                    const FluidMesh<dim> &mesh, const std::vector<Edge> &edges,
+                                    const Migration<dim> &migration) const;
 
-    /// Edges to divide.
+    /// Edges to divide, by their first particle; that is its owner's decision.
     std::vector<Edge> find_insertions(const ParticleCloud<dim> &cloud, const std::vector<Edge> &edges,
-                                      const std::vector<bool> &removed) const;
+                                      const std::vector<bool> &removed,
+                                      const Migration<dim> &migration) const;
+
+    /// Append the particles in the middle of the @p edges.
+    void insert(const std::vector<Edge> &edges, const Migration<dim> &migration,
+                ParticleCloud<dim> &cloud) const;
 
     double shortest = 0.6, longest = 1.5;
   };

@@ -1,12 +1,11 @@
 #ifndef lahar_remeshing_remesher_h
 #define lahar_remeshing_remesher_h
 
-#include <deal.II/base/mpi.h>
-
 #include <lahar/boundary/walls.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/alpha_shape.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/parameters.h>
 
@@ -16,9 +15,8 @@ namespace Lahar
    * Remeshing (PFEM): adapt the particles' spacing, triangulate them by Delaunay, keep what AlphaShape accepts,
    * take back what that changed of the volume (VolumeCorrection).
    *
-   * The ranks share the triangulation and AlphaShape's decisions: each deals with the simplices whose first fluid
-   * particle is its own (local_delaunay()), then all have them all. Constrained triangulations are made by every rank
-   * (a constraint has effect across any distance); their simplices are shared out in the same way.
+   * Each rank finds the cells that are its own (local_delaunay()); then those near to the regions of other ranks go to
+   * these (Migration). All decisions follow from what is near, so any number of ranks comes to the same mesh.
    */
   template <int dim>
   class Remesher
@@ -30,31 +28,44 @@ namespace Lahar
     struct Report
     {
       bool changed          = false; ///< the connectivity
-      unsigned int n_forced = 0; ///< facets of solids' contours that the Delaunay triangulation did not have
+      unsigned int n_forced = 0; ///< this rank's facets of solids' contours that its Delaunay triangulation did not have
       std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
     };
-
-    /// Alone by default.
-    explicit Remesher(const MPI_Comm &communicator = MPI_COMM_SELF);
 
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /// The first mesh of a cloud: the simplices of @p wet particles that the plain alpha shape accepts. Collective.
+    /**
+     * How far beyond its own particles a rank must know particles and cells, m: Delaunay simplices of own particles have
+     * corners within AlphaShape::reach(), whose old cells, and the cells around these, say what was fluid; and a step
+     * needs two layers of cells around own particles. @p longest_other_edge is that of solids' cells. Collective.
+     */
+    double region_distance(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                           const double longest_other_edge, const MPI_Comm &communicator) const;
+
+    /// The first mesh of a whole cloud: the simplices of @p wet particles that the plain alpha shape accepts.
     void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                      const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
                      FluidMesh<dim> &mesh) const;
 
     /**
-     * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective; all
-     * ranks have the same cloud and the same mesh.
+     * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective;
+     * @p migration has brought particles and mesh to where they belong, with region_distance().
      *
      * @param walls rigid walls and, as no-slip walls, the solids' contours.
      * @param solid_facets the contours by particle; their particles stand first in the cloud and remain. In 2D they are
      * edges of the triangulation (constrained Delaunay), so that no triangle crosses a contour.
      */
     Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<Facet> &solid_facets,
-                  const double time_step, FluidMesh<dim> &mesh) const;
+                  const double time_step, FluidMesh<dim> &mesh, Migration<dim> &migration) const;
+
+    /// The same on one rank.
+    Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<Facet> &solid_facets,
+                  const double time_step, FluidMesh<dim> &mesh) const
+    {
+      Migration<dim> nowhere;
+      return remesh(cloud, walls, solid_facets, time_step, mesh, nowhere);
+    }
 
   private:
     /**
@@ -65,9 +76,8 @@ namespace Lahar
      */
     std::vector<Simplex<dim>> own_candidates(const ParticleCloud<dim> &cloud,
                                              const std::vector<Facet> &solid_facets,
-                                             unsigned int &n_forced) const;
+                                             const Migration<dim> &migration, unsigned int &n_forced) const;
 
-    MPI_Comm communicator;
     bool keep_volume = true;
     AlphaShape<dim> alpha_shape;
     ParticleSpacing<dim> particle_spacing;

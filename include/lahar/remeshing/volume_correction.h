@@ -3,6 +3,7 @@
 
 #include <lahar/boundary/walls.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/old_domain.h>
 
 #include <vector>
@@ -12,11 +13,11 @@ namespace Lahar
   /**
    * Takes back the volume that a remeshing has made or lost.
    *
-   * Cells that the last mesh did not have, and cells that the new one does not have, are joined across their common
-   * faces to patches. A patch of the inside covers the same region before and after and changes no volume; one at the
-   * free surface or at a contact changes it by δV = Σ V(new) − Σ V(old), and the sum over all patches is the mesh's
-   * change. The free surface of the body that a patch belongs to gives δV back: with A_i the sum of the outward area
-   * vectors of the surface's faces at particle i over their number of corners, and ΔV the sum over the body's patches,
+   * The cells that the last mesh did not have and those that the new one does not have change the volume by
+   * ΔV = Σ V(new) − Σ V(old); inside the fluid they cover the same region and the sum is zero. Each belongs to the body
+   * of one of its fluid particles or, if none is left, of one that shared a cell with them. The body's free surface gives
+   * ΔV back: with A_i the sum of the outward area vectors of the surface's faces at particle i over their number of
+   * corners
    *
    *   x_i ← x_i − ΔV / (Σ_j |A_j|) A_i / |A_i|,
    *
@@ -30,13 +31,13 @@ namespace Lahar
   {
   public:
     /**
-     * Move the particles of the free surface of @p mesh, just made.
+     * Move the particles of the free surface of @p mesh, just made. Collective.
      *
      * @param old_domain the last mesh, renumbered to the particles of @p cloud.
      * @param walls rigid walls and contours of solids.
      */
     static void apply(const OldDomain<dim> &old_domain, const Walls<dim> &walls, FluidMesh<dim> &mesh,
-                      ParticleCloud<dim> &cloud);
+                      ParticleCloud<dim> &cloud, const Migration<dim> &migration);
   };
 } // namespace Lahar
 

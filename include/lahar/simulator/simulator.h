@@ -35,9 +35,9 @@ namespace Lahar
   /**
    * Computes a case: creates the particles, makes time steps until the end time, writes the results.
    *
-   * step() is one time step from beginning to end. Between steps every rank has all particles and both meshes; the ranks
-   * share the step itself (StepProblem), parts of the remeshing (Remesher) and the snapshots (Visualization). The first
-   * rank writes all other files.
+   * step() is one time step from beginning to end. On several ranks each has the particles and the fluid's mesh in its
+   * region (Migration), and the solids, which are small, as a whole. The first rank writes all files but its and the
+   * others' pieces of snapshots and checkpoints.
    */
   template <int dim>
   class Simulator
@@ -56,12 +56,13 @@ namespace Lahar
     /// can be read, or if a parameter differs from the checkpoint's that a resumed run cannot honour.
     void resume();
 
-    /// What initialize() or resume() made, in a few lines.
+    /// What initialize() or resume() made, in a few lines. Collective.
     std::string sizes() const;
 
     /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError
     void run();
 
+    /// What this rank knows of the particles.
     const ParticleCloud<dim> &cloud() const
     {
       return particles;
@@ -79,8 +80,13 @@ namespace Lahar
      */
     void step(double time_step);
 
-    /// @throws RunError if the particles are not the same on all ranks.
+    /// @throws RunError if the solids are not the same on all ranks.
     void check_ranks() const;
+    /// Bring particles and mesh to where they belong.
+    void migrate();
+    /// Sums over the ranks.
+    double sum_of_ranks(const double value) const;
+    unsigned int count_on_ranks(const unsigned int n) const;
     void remesh(const double time_step);
     /// Largest ratio of speed and spacing in the mesh, 1/s.
     double fastest_movement() const;
@@ -101,6 +107,8 @@ namespace Lahar
     void write_checkpoint();
     template <typename Archive>
     void save_or_load(Archive &archive);
+    std::string save_piece() const;
+    void load_pieces(const std::vector<std::string> &pieces);
     void check_unchanged(const std::map<std::string, std::string> &earlier_values) const;
 
     MPI_Comm communicator;
@@ -115,6 +123,7 @@ namespace Lahar
     TimeIntegration time_integration;
     DomainLimit<dim> domain_limit;
     Remesher<dim> remesher;
+    Migration<dim> migration;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
     std::unique_ptr<StepControl> step_control;
 
@@ -128,7 +137,8 @@ namespace Lahar
     StepProblem<dim> problem;
 
     double time              = 0.;
-    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0, n_left = 0;
+    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0, n_left = 0,
+                 n_cells = 0; ///< of the fluid, on all ranks
     double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.,
            left_volume = 0.;
     typename Remesher<dim>::Report remeshing; ///< the last one

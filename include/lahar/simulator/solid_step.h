@@ -26,7 +26,7 @@ namespace Lahar
     /// Nodes that are no vertex of the fluid's mesh.
     unsigned int n_own_nodes() const
     {
-      return n_own;
+      return own_nodes.size();
     }
 
     /// The system's number of each node.
@@ -66,6 +66,12 @@ namespace Lahar
       return state.position[node];
     }
 
+    /// Node of the solids, by the system's number of one that is no vertex.
+    unsigned int solid_node(const unsigned int system_node) const
+    {
+      return own_nodes[system_node - n_vertices];
+    }
+
     /// Write the positions into those of all the system's nodes.
     void get_positions(std::vector<Point<dim>> &positions) const;
 
@@ -82,9 +88,8 @@ namespace Lahar
     const Solids<dim> *solids = nullptr;
     SolidAssembler<dim> assembler;
     TimeIntegration integration;
-    std::vector<unsigned int> system_nodes;
-    unsigned int n_vertices = 0, n_own = 0;
-    unsigned int n_shared = 0; ///< nodes that are vertices, the first ones
+    std::vector<unsigned int> system_nodes, own_nodes; ///< the latter: that are no vertices
+    unsigned int n_vertices = 0;
     std::vector<Tensor<1, dim>> external_forces;
     SolidState<dim> state;
   };

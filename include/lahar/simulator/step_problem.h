@@ -7,6 +7,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/simulator/crushed_cells.h>
 #include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/held_vertices.h>
@@ -46,7 +47,8 @@ namespace Lahar
     void start_step(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                     const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
                     const Tensor<1, dim> &gravity, const TimeIntegration &time_integration,
-                    const std::vector<bool> &arrives, const Solids<dim> &solids, const double end_time);
+                    const std::vector<bool> &arrives, const Solids<dim> &solids, const double end_time,
+                    const Migration<dim> &migration);
 
     /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
     void assemble(const Linearization &linearization);
@@ -130,11 +132,12 @@ namespace Lahar
       return system.right_hand_side().block(1).l2_norm();
     }
 
-    /// Write the accepted state back to the mesh's particles and to the solids.
+    /// Write the accepted state back to the mesh's particles, those of other ranks that this one knows too, and to the
+    /// solids.
     void accept(ParticleCloud<dim> &cloud, Solids<dim> &solids);
 
     /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared
-    /// nodes.
+    /// nodes. Zero at vertices that this rank does not know.
     std::vector<Tensor<1, dim>> reactions() const;
 
     /// Forces on the solids at all their nodes from what holds or wets them, N.
@@ -151,7 +154,11 @@ namespace Lahar
     }
 
   private:
-    void reinit_system(const ParticleCloud<dim> &cloud);
+    void reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+    /// Owners and keys of the system's nodes, see NodePartition::reinit().
+    void identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
+                        const std::vector<Point<dim>> &positions, std::vector<unsigned int> &owners,
+                        std::vector<std::uint64_t> &keys) const;
     void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
     /// The cells that cannot keep themselves from being crushed, of those that the present state would flatten.
     std::vector<unsigned int> crushable_cells() const;
@@ -178,9 +185,9 @@ namespace Lahar
     std::unique_ptr<LinearSolver<dim>> linear_solver;
     typename BlockSystem<dim>::Vector solution;
 
-    const FluidMesh<dim> *whole_mesh = nullptr;
-    const FluidMesh<dim> *mesh       = nullptr; ///< what this rank knows of it
-    FluidMesh<dim> part;                        ///< this, on several ranks
+    const FluidMesh<dim> *region_mesh = nullptr; ///< of all particles in this rank's region
+    const FluidMesh<dim> *mesh        = nullptr; ///< what this rank works on of it
+    FluidMesh<dim> part;                         ///< this, on several ranks
     const FluidLaw *fluid_law = nullptr;
     Tensor<1, dim> gravity;
     TimeIntegration time_integration;
@@ -196,7 +203,6 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
-    std::vector<bool> arriving; ///< by vertex of the whole mesh
     std::vector<bool> is_solid; ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double velocity_norm = 0., pressure_norm = 0.;

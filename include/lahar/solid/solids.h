@@ -91,6 +91,9 @@ namespace Lahar
     /// no fluid touches them, they have no pressure and the solid's acceleration.
     void move_particles(const std::vector<bool> &in_mesh, ParticleCloud<dim> &cloud) const;
 
+    /// The longest distance of two nodes of one cell at present, m; zero without solids.
+    double longest_edge() const;
+
     /// Newmark's γ of the solids.
     double newmark_gamma() const
     {

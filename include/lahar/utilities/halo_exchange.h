@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace Lahar
@@ -13,8 +15,7 @@ namespace Lahar
    * Sends the values of things that this rank owns to the ranks that have copies of them, and receives those of its own
    * copies.
    *
-   * Each rank numbers what it knows as it likes; what it owns comes first. Messages go only between ranks that have
-   * something to tell each other.
+   * Each rank numbers what it knows as it likes. Messages go only between ranks that have something to tell each other.
    */
   class HaloExchange
   {
@@ -22,16 +23,18 @@ namespace Lahar
     explicit HaloExchange(const MPI_Comm &communicator);
 
     /**
-     * @param n_own how many things this rank owns.
-     * @param owners of the copies, in their local order.
-     * @param numbers of the copies with their owners. Collective.
+     * @param copies local numbers of the things of which this rank has copies.
+     * @param owners of these, in the same order.
+     * @param keys by which their owners know them.
+     * @param find tells the local number of what this rank owns by its key. Collective.
      */
-    void reinit(const unsigned int n_own, const std::vector<unsigned int> &owners,
-                const std::vector<unsigned int> &numbers);
+    void reinit(const std::vector<unsigned int> &copies, const std::vector<unsigned int> &owners,
+                const std::vector<std::uint64_t> &keys,
+                const std::function<unsigned int(const std::uint64_t)> &find);
 
     /**
-     * Replace the values of all copies by their owners'. @param values by local number, @p n_components each, those of
-     * the copies after the own ones. Collective.
+     * Replace the values of all copies by their owners'. @param values by local number, @p n_components each.
+     * Collective.
      */
     void update(double *values, const unsigned int n_components) const;
 
