@@ -51,25 +51,6 @@ namespace Lahar
       }
       return sum;
     }
-
-    template <int dim>
-    void share(const std::vector<Point<dim>> &points, const Iterator begin, const Iterator end,
-               const unsigned int first_rank, const unsigned int n_ranks, std::vector<unsigned int> &ranks)
-    {
-      if (begin == end)
-        return;
-      if (n_ranks == 1)
-      {
-        for (Iterator i = begin; i != end; ++i)
-          ranks[*i] = first_rank;
-        return;
-      }
-      const unsigned int n_first = n_ranks / 2;
-      const Iterator middle      = begin + static_cast<std::size_t>(end - begin) * n_first / n_ranks;
-      divide_at(points, box_around(points, begin, end), begin, middle, end);
-      share(points, begin, middle, first_rank, n_first, ranks);
-      share(points, middle, end, first_rank + n_first, n_ranks - n_first, ranks);
-    }
   } // namespace
 
 
@@ -144,21 +125,6 @@ namespace Lahar
 
 
 
-  template <int dim>
-  std::vector<unsigned int> share_points(const std::vector<Point<dim>> &points,
-                                         const std::vector<unsigned int> &indices, const unsigned int n_ranks)
-  {
-    std::vector<unsigned int> order = indices, ranks(points.size(), numbers::invalid_unsigned_int);
-    share(points, order.begin(), order.end(), 0, n_ranks, ranks);
-    return ranks;
-  }
-
-
-
   template class PointTree<2>;
   template class PointTree<3>;
-  template std::vector<unsigned int> share_points<2>(const std::vector<Point<2>> &,
-                                                     const std::vector<unsigned int> &, const unsigned int);
-  template std::vector<unsigned int> share_points<3>(const std::vector<Point<3>> &,
-                                                     const std::vector<unsigned int> &, const unsigned int);
 } // namespace Lahar

@@ -1,89 +1,157 @@
-// Test how nodes are shared out: every node has one owner, the rows of own nodes and of the halo are complete, local
-// numbers are in the promised order, and gathering brings every value to every rank; in 2D and 3D, with two lists of
-// cells, on one rank and on several.
+// Test how nodes are shared out: what a rank knows are its own nodes, the halo and the outer nodes as the definitions say,
+// local and global numbers are in the promised order, and updating brings the owners' values to all copies; in 2D and 3D,
+// with two lists of cells, where ranks have heard of all nodes and where they have not, on one rank and on several.
 
 #include <lahar/linear/node_partition.h>
 #include <lahar/remeshing/delaunay.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <set>
 
 #include "tests.h"
 
 using namespace Tests;
 
+/// Owners by position, slabs of equal width, or by number.
+template <int dim>
+std::vector<unsigned int> find_owners(const std::vector<Point<dim>> &points, const bool by_position)
+{
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  std::vector<unsigned int> owners;
+  for (unsigned int i = 0; i < points.size(); ++i)
+    owners.push_back(by_position ? std::min<unsigned int>(0.5 * (points[i][0] + 1.) * n_ranks, n_ranks - 1)
+                                 : i * n_ranks / points.size());
+  return owners;
+}
+
 template <int dim>
 void test(const unsigned int n_points, const bool by_position)
 {
   const std::string name = Utilities::int_to_string(dim) + "D, " +
                            (by_position ? "by position: " : "by number: ");
-  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const unsigned int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   Random random;
   std::vector<Point<dim>> points;
   for (unsigned int i = 0; i < n_points; ++i)
     points.push_back(Point<dim>(random.vector<dim>()));
+  const std::vector<unsigned int> all_owners = find_owners<dim>(points, by_position);
 
   // Two lists: every third simplex is in the second one.
   std::vector<Simplex<dim>> cells[2];
   unsigned int n_all = 0;
   for (const Simplex<dim> &simplex : delaunay(points))
     cells[n_all++ % 3 == 0].push_back(simplex);
-  std::vector<CellList> lists;
-  for (const auto &list : cells)
-    lists.push_back({list.front().data(), static_cast<unsigned int>(list.size()), dim + 1});
-
-  const std::vector<unsigned int> owners = by_position ? share_nodes(points, lists, n_ranks)
-                                                       : std::vector<unsigned int>();
-  NodePartition partition(MPI_COMM_WORLD);
-  partition.reinit(n_points, owners, lists);
-  const auto &nodes = partition.nodes();
-
-  std::vector<unsigned int> n_owners(n_points, 0);
-  for (unsigned int l = 0; l < partition.n_own(); ++l)
-    ++n_owners[nodes[l]];
-  Utilities::MPI::sum(n_owners, MPI_COMM_WORLD, n_owners);
-  check(name + "one owner each", std::count(n_owners.begin(), n_owners.end(), 1U) == n_points);
-  check(name + "shares are balanced",
-        n_ranks * partition.n_own() > 0.7 * n_points && n_ranks * partition.n_own() < 1.3 * n_points);
-  check(name + "own nodes ascend", std::is_sorted(nodes.begin(), nodes.begin() + partition.n_own()));
-  bool found = true;
-  for (unsigned int l = 0; l < nodes.size(); ++l)
-    found = found && partition.local(nodes[l]) == l;
-  check(name + "local numbers", found);
-  if (by_position)
-    check(name + "halo by owner and number",
-          std::is_sorted(nodes.begin() + partition.n_own(), nodes.begin() + partition.n_with_rows(),
-                         [&](const unsigned int i, const unsigned int j) {
-                           return std::make_pair(owners[i], i) < std::make_pair(owners[j], j);
-                         }));
 
   // What the definitions say, by hand.
-  std::set<unsigned int> own(nodes.begin(), nodes.begin() + partition.n_own()), with_halo = own;
-  for (const auto &list : cells)
-    for (const Simplex<dim> &cell : list)
-      if (std::any_of(cell.begin(), cell.end(), [&](const unsigned int node) { return own.count(node) > 0; }))
-        with_halo.insert(cell.begin(), cell.end());
-  std::set<unsigned int> known = with_halo;
-  bool cells_agree             = true;
+  std::set<unsigned int> own, with_halo, known, heard;
+  for (unsigned int i = 0; i < n_points; ++i)
+    if (all_owners[i] == rank)
+      own.insert(i);
+  const auto grow = [&](const std::set<unsigned int> &nodes) {
+    std::set<unsigned int> grown = nodes;
+    for (const auto &list : cells)
+      for (const Simplex<dim> &cell : list)
+        if (std::any_of(cell.begin(), cell.end(),
+                        [&](const unsigned int node) { return nodes.count(node) > 0; }))
+          grown.insert(cell.begin(), cell.end());
+    return grown;
+  };
+  with_halo = grow(own);
+  known     = grow(with_halo);
+
+  // By position a rank has heard of one layer more than it needs, under numbers of its own; else of all nodes.
+  heard = grow(known);
+  std::vector<unsigned int> number_here(n_points, numbers::invalid_unsigned_int), number_of, owners;
+  std::vector<std::uint64_t> keys;
+  for (unsigned int i = 0; i < n_points; ++i)
+    if (!by_position || heard.count(i) > 0)
+    {
+      number_here[i] = number_of.size();
+      number_of.push_back(i);
+      owners.push_back(all_owners[i]);
+      keys.push_back(1000 + 3 * i);
+    }
+  std::vector<Simplex<dim>> cells_here[2];
   for (unsigned int k = 0; k < 2; ++k)
-  {
-    std::vector<unsigned int> numbers;
-    for (unsigned int c = 0; c < cells[k].size(); ++c)
-      if (std::any_of(cells[k][c].begin(), cells[k][c].end(),
-                      [&](const unsigned int node) { return with_halo.count(node) > 0; }))
-      {
-        numbers.push_back(c);
-        known.insert(cells[k][c].begin(), cells[k][c].end());
-      }
-    cells_agree                           = cells_agree && numbers == partition.cells(k);
-    const std::vector<unsigned int> local = partition.local_cells(k, lists[k]);
-    for (unsigned int i = 0; i < local.size(); ++i)
-      cells_agree = cells_agree && nodes[local[i]] == cells[k][numbers[i / (dim + 1)]][i % (dim + 1)];
-  }
+    for (const Simplex<dim> &cell : cells[k])
+    {
+      Simplex<dim> here;
+      for (unsigned int c = 0; c <= dim; ++c)
+        here[c] = number_here[cell[c]];
+      if (*std::max_element(here.begin(), here.end()) < number_of.size())
+        cells_here[k].push_back(here);
+    }
+  std::vector<CellList> lists;
+  for (const auto &list : cells_here)
+    lists.push_back({list.front().data(), static_cast<unsigned int>(list.size()), dim + 1});
+
+  NodePartition partition(MPI_COMM_WORLD);
+  if (by_position)
+    partition.reinit(owners, keys, lists);
+  else
+    partition.reinit(n_points, lists);
+  std::vector<unsigned int> nodes; // by the numbers that the test has
+  for (const unsigned int node : partition.nodes())
+    nodes.push_back(number_of[node]);
+
+  check(name + "own nodes, ascending",
+        std::vector<unsigned int>(own.begin(), own.end()) ==
+          std::vector<unsigned int>(nodes.begin(), nodes.begin() + partition.n_own()));
+  check(name + "all nodes", partition.n_nodes() == n_points);
+  bool found = true;
+  for (unsigned int l = 0; l < nodes.size(); ++l)
+    found = found && partition.local(partition.nodes()[l]) == l;
+  check(name + "local numbers", found);
+  const auto by_owner = [&](const unsigned int i, const unsigned int j) {
+    return std::make_pair(all_owners[i], i) < std::make_pair(all_owners[j], j);
+  };
+  check(name + "halo by owner and number",
+        std::is_sorted(nodes.begin() + partition.n_own(), nodes.begin() + partition.n_with_rows(), by_owner));
   check(name + "halo",
         with_halo == std::set<unsigned int>(nodes.begin(), nodes.begin() + partition.n_with_rows()));
   check(name + "known nodes", known == std::set<unsigned int>(nodes.begin(), nodes.end()));
+
+  bool cells_agree = true;
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    std::vector<unsigned int> expected;
+    for (unsigned int c = 0; c < cells_here[k].size(); ++c)
+      if (std::any_of(cells_here[k][c].begin(), cells_here[k][c].end(),
+                      [&](const unsigned int node) { return with_halo.count(number_of[node]) > 0; }))
+        expected.push_back(c);
+    cells_agree                           = cells_agree && expected == partition.cells(k);
+    const std::vector<unsigned int> local = partition.local_cells(k, lists[k]);
+    for (unsigned int i = 0; i < local.size(); ++i)
+      cells_agree = cells_agree &&
+                    partition.nodes()[local[i]] == cells_here[k][expected[i / (dim + 1)]][i % (dim + 1)];
+  }
   check(name + "known cells", cells_agree);
+
+  // Global numbers: rank after rank, each in the order of its numbers; also where only some nodes count.
+  std::vector<unsigned int> order(n_points);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), by_owner);
+  std::vector<unsigned int> global(n_points), count(n_points);
+  for (unsigned int k = 0, n = 0; k < n_points; ++k)
+  {
+    global[order[k]] = k;
+    count[order[k]]  = n;
+    n += order[k] % 5 == 0;
+  }
+  std::vector<bool> marked;
+  for (const unsigned int i : nodes)
+    marked.push_back(i % 5 == 0);
+  const std::vector<unsigned int> counted = partition.count_before(marked);
+  bool numbered = true, right_count = true;
+  for (unsigned int l = 0; l < nodes.size(); ++l)
+  {
+    numbered    = numbered && partition.global_numbers()[l] == global[nodes[l]];
+    right_count = right_count && counted[l] == count[nodes[l]];
+  }
+  check(name + "global numbers", numbered);
+  check(name + "count of marked nodes", right_count);
 
   // The owners' values of two numbers a node arrive at all ranks that know the node.
   std::vector<std::array<double, 2>> copies(nodes.size(), {{-1., -1.}});
@@ -94,17 +162,6 @@ void test(const unsigned int n_points, const bool by_position)
   for (unsigned int l = 0; l < nodes.size(); ++l)
     updated = updated && copies[l][0] == 10. * nodes[l] && copies[l][1] == 10. * nodes[l] + 1.;
   check(name + "updated", updated);
-
-  // Gather two values a node of two ranges of nodes.
-  std::vector<double> values;
-  for (unsigned int l = 0; l < partition.n_own(); ++l)
-    for (unsigned int a = 0; a < 2; ++a)
-      values.push_back(10. * nodes[l] + a);
-  const std::vector<double> all = partition.gather(values.data(), 2, {{0, 20}, {100, n_points}});
-  bool gathered                 = all.size() == (n_points - 80) * 2;
-  for (unsigned int i = 0; i < all.size(); ++i)
-    gathered = gathered && all[i] == 10. * (i / 2 + (i >= 40 ? 80 : 0)) + i % 2;
-  check(name + "gathered", gathered);
 }
 
 int main(int argc, char **argv)

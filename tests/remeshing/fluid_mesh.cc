@@ -219,7 +219,8 @@ double adapted_volume(ParticleCloud<dim> &cloud, const std::string &longest_edge
   OldDomain<dim> old_domain(cloud, mesh);
   ParticleSpacing<dim> spacing;
   parse(spacing, "subsection Particle spacing\n set Longest edge = " + longest_edge + "\nend\n");
-  spacing.adapt(cloud, walls, mesh, old_domain);
+  Migration<dim> migration;
+  spacing.adapt(cloud, walls, mesh, old_domain, migration);
   mesh.reinit(cloud, cells_with_volume<dim>(cloud));
   return mesh.volume(cloud);
 }

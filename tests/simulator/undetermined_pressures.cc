@@ -48,7 +48,7 @@ int main(int argc, char **argv)
   const std::vector<Simplex<2>> cells = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {6, 7, 8}};
   std::vector<NodeConstraint<2>> constraints(10);
   NodePartition partition(MPI_COMM_WORLD);
-  partition.reinit(10, {}, {{cells.front().data(), 4, 3}});
+  partition.reinit(10, {{cells.front().data(), 4, 3}});
   const auto fixed_pressures = [&]() {
     std::vector<NodeConstraint<2>> known;
     for (const unsigned int node : partition.nodes())
@@ -71,7 +71,7 @@ int main(int argc, char **argv)
   std::vector<Simplex<2>> strip;
   for (unsigned int i = 0; i + 2 < 60; ++i)
     strip.push_back({i, i + 1, i + 2});
-  partition.reinit(60, {}, {{strip.front().data(), 58, 3}});
+  partition.reinit(60, {{strip.front().data(), 58, 3}});
   std::vector<NodeConstraint<2>> known;
   for (const unsigned int node : partition.nodes())
   {

@@ -217,8 +217,11 @@ void test_constrained_delaunay()
 {
   // A point close to the middle of a long segment: its edge is in no Delaunay triangulation.
   const std::vector<Point<2>> points{{0., 0.}, {1., 0.}, {0.5, 0.1}, {0.5, -0.1}};
-  unsigned int n_forced;
-  const auto cells = constrained_delaunay(points, {{{0, 1}}}, n_forced);
+  const std::vector<std::array<unsigned int, 2>> segment = {{{0, 1}}}, edge = {{{0, 2}}},
+                                                 crossing = {{{0, 1}}, {{2, 3}}};
+  ConstrainedDelaunay triangulation(points, segment);
+  triangulation.insert({0, 1, 2, 3});
+  const auto cells = triangulation.simplices();
   bool crosses     = false;
   double area      = 0.;
   for (const Simplex<2> &cell : cells)
@@ -227,13 +230,13 @@ void test_constrained_delaunay()
               (std::count(cell.begin(), cell.end(), 2U) + std::count(cell.begin(), cell.end(), 3U) == 2);
     area += signed_volume<2>(corners_of<2>(cell, points));
   }
-  check("the segment is an edge", !crosses && n_forced == 1 && cells.size() == 2);
+  check("the segment is an edge", !crosses && triangulation.forced()[0] && cells.size() == 2);
   check("the triangles fill the hull", area - 0.1, 1e-15);
-  constrained_delaunay(points, {{{0, 2}}}, n_forced);
-  check("an edge that is there is not counted", n_forced == 0);
-  check_throws<RunError>("segments that cross", {"contours of two solids cross"}, [&] {
-    constrained_delaunay(points, {{{0, 1}}, {{2, 3}}}, n_forced);
-  });
+  ConstrainedDelaunay natural(points, edge);
+  natural.insert({0, 1, 2, 3});
+  check("an edge that is there is not counted", !natural.forced()[0]);
+  check_throws<RunError>("segments that cross", {"contours of two solids cross"},
+                         [&] { ConstrainedDelaunay(points, crossing).insert({0, 1, 2, 3}); });
 }
 
 int main(int argc, char **argv)

@@ -44,17 +44,6 @@ namespace Lahar
     std::vector<unsigned int> order;
     std::vector<Node> nodes;
   };
-
-  /**
-   * Share some of the @p points among @p n_ranks ranks: divide the set across the longest side of its bounding box, in
-   * proportion to the numbers of ranks on both sides, and so on.
-   *
-   * @return the rank of each of the points in @p indices, numbers::invalid_unsigned_int for the other points.
-   */
-  template <int dim>
-  std::vector<unsigned int> share_points(const std::vector<Point<dim>> &points,
-                                         const std::vector<unsigned int> &indices,
-                                         const unsigned int n_ranks);
 } // namespace Lahar
 
 #endif
