@@ -9,6 +9,51 @@
 
 namespace Lahar
 {
+  /// The neighbours of each particle along a plane free surface: previous and next with the fluid on the left.
+  class SurfaceChain
+  {
+  public:
+    template <int dim>
+    SurfaceChain(const FluidMesh<dim> &mesh, const unsigned int n_particles)
+      : links(dim == 2 ? n_particles : 0, {{none, none}})
+    {
+      if constexpr (dim == 2)
+      for (const BoundaryFace &face : mesh.boundary_faces())
+        if (face.free_surface)
+        {
+          const Simplex<2> &cell  = mesh.particle_cells()[face.cell];
+          const unsigned int from = cell[(face.opposite + 1) % 3], to = cell[(face.opposite + 2) % 3];
+          links[from][1] = (links[from][1] == none ? to : ambiguous);
+          links[to][0]   = (links[to][0] == none ? from : ambiguous);
+        }
+    }
+
+    /**
+     * The chain previous, a, b, next around the neighbours of an edge, in either order; empty if there is none, or one
+     * of these is among the @p removed.
+     */
+    std::vector<unsigned int> around(const std::pair<unsigned int, unsigned int> &edge,
+                                     const std::vector<double> &removed) const
+    {
+      auto [a, b] = edge;
+      if (links[a][1] != b)
+        std::swap(a, b);
+      if (links[a][1] != b || links[b][0] != a)
+        return {};
+      const unsigned int previous = links[a][0], next = links[b][1];
+      if (std::max(previous, next) >= links.size() || previous == next || removed[previous] > 0. ||
+          removed[next] > 0.)
+        return {};
+      return {previous, a, b, next};
+    }
+
+  private:
+    static constexpr unsigned int none = -1, ambiguous = -2;
+    std::vector<std::array<unsigned, 2>> links;
+  };
+
+
+
   namespace
   {
     /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface.
@@ -44,47 +89,6 @@ namespace Lahar
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       return edges;
     }
-
-    /// The neighbours of each particle along a plane free surface: previous and next with the fluid on the left.
-    class SurfaceChain
-    {
-    public:
-      SurfaceChain(const FluidMesh<2> &mesh, const unsigned int n_particles)
-        : links(n_particles, {{none, none}})
-      {
-        for (const BoundaryFace &face : mesh.boundary_faces())
-          if (face.free_surface)
-          {
-            const Simplex<2> &cell  = mesh.particle_cells()[face.cell];
-            const unsigned int from = cell[(face.opposite + 1) % 3], to = cell[(face.opposite + 2) % 3];
-            links[from][1] = (links[from][1] == none ? to : ambiguous);
-            links[to][0]   = (links[to][0] == none ? from : ambiguous);
-          }
-      }
-
-      /**
-       * The chain previous, a, b, next around the neighbours of an edge, in either order; empty if there is none, or one
-       * of these is among the @p removed.
-       */
-      std::vector<unsigned int> around(const std::pair<unsigned int, unsigned int> &edge,
-                                       const std::vector<bool> &removed) const
-      {
-        auto [a, b] = edge;
-        if (links[a][1] != b)
-          std::swap(a, b);
-        if (links[a][1] != b || links[b][0] != a)
-          return {};
-        const unsigned int previous = links[a][0], next = links[b][1];
-        if (std::max(previous, next) >= links.size() || previous == next || removed[previous] ||
-            removed[next])
-          return {};
-        return {previous, a, b, next};
-      }
-
-    private:
-      static constexpr unsigned int none = -1, ambiguous = -2;
-      std::vector<std::array<unsigned, 2>> links;
-    };
 
     /**
      * The place near the middle between a and b where one particle encloses the same area with previous and next as the
@@ -137,57 +141,36 @@ namespace Lahar
 
   template <int dim>
   std::vector<typename ParticleSpacing<dim>::Removal>
-  ParticleSpacing<dim>::find_candidates(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
-                                        const std::vector<Edge> &edges,
-                                        const std::vector<bool> &removed) const
+  ParticleSpacing<dim>::find_candidates(const ParticleCloud<dim> &cloud, const std::vector<Edge> &short_edges,
+                                        const std::vector<unsigned int> &rank, const SurfaceChain &chains,
+                                        const Changes &changes) const
   {
-    const std::vector<bool> on_surface = mesh.on_free_surface(cloud.size());
-    // What holds the shape of the domain stays before what lies inside it.
-    const auto rank = [&](const unsigned int i) {
-      unsigned int rank = on_surface[i] ? dim + 1 : 0;
-      for (const int facet : cloud.slip_facets[i])
-        rank += (facet != ParticleCloud<dim>::no_facet);
-      return rank;
-    };
-
-    std::unique_ptr<SurfaceChain> chains;
     std::vector<Removal> result;
-    for (const Edge &edge : edges)
+    for (const Edge &edge : short_edges)
     {
       const auto [a, b] = edge;
-      if (removed[a] || removed[b])
+      if (changes.removed[a] + changes.removed[b] + changes.merged[a] + changes.merged[b] > 0.)
         continue;
-      const double h      = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
-      const double length = cloud.position[a].distance(cloud.position[b]);
-      if (length >= shortest * h)
-        continue;
-
-      const bool a_is_fluid = cloud.kind[a] == ParticleKind::fluid,
-                 b_is_fluid = cloud.kind[b] == ParticleKind::fluid;
-      if (a_is_fluid != b_is_fluid)
+      const double h            = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
+      const double length       = cloud.position[a].distance(cloud.position[b]) / h;
+      const unsigned int inside = rank[a] < rank[b] ? a : b;
+      if (cloud.kind[a] != cloud.kind[b]) // fluid and wall or solid
       {
-        const unsigned int fluid = a_is_fluid ? a : b;
-        if (rank(fluid) == 0 || length < surface_to_wall * shortest * h)
-          result.push_back({length / h, edge, fluid, {}, {}, {}});
+        const unsigned int fluid = cloud.kind[a] == ParticleKind::fluid ? a : b;
+        if (rank[fluid] == 0 || length < surface_to_wall * shortest)
+          result.push_back({length, edge, fluid, {}, {}, {}});
       }
-      else if (a_is_fluid)
-      {
-        if (rank(a) != rank(b))
-          result.push_back(
-            {length / h, edge, rank(a) < rank(b) ? a : b, {}, {rank(a) < rank(b) ? b : a}, {}});
-        else if (rank(b) == 0 || (!on_surface[b] && cloud.slip_facets[a] == cloud.slip_facets[b]))
-          result.push_back({length / h, edge, b, {}, {a}, {}});
-        else if constexpr (dim == 2)
-          if (rank(b) == dim + 1)
-          {
-            if (!chains)
-              chains = std::make_unique<SurfaceChain>(mesh, cloud.size());
-            const std::vector<unsigned int> chain = chains->around(edge, removed);
-            Point<2> place;
-            if (!chain.empty() && find_merged_place(chain, cloud, place))
-              result.push_back({length / h, edge, b, {a}, {chain[0], chain[3]}, place});
-          }
-      }
+      else if (rank[a] != rank[b] || rank[b] == 0 ||
+               (rank[b] <= dim && cloud.slip_facets[a] == cloud.slip_facets[b]))
+        result.push_back({length, edge, inside, {}, {inside == a ? b : a}, {}});
+      else if constexpr (dim == 2)
+        if (rank[b] == dim + 1)
+        {
+          const std::vector<unsigned int> chain = chains.around(edge, changes.removed);
+          Point<2> place;
+          if (!chain.empty() && find_merged_place(chain, cloud, place))
+            result.push_back({length, edge, b, {a}, {chain[0], chain[3]}, place});
+        }
     }
     std::sort(result.begin(), result.end(), [](const Removal &r, const Removal &s) {
       return std::make_pair(r.length, r.edge) < std::make_pair(s.length, s.edge);
@@ -203,51 +186,86 @@ namespace Lahar
                                                         const std::vector<Edge> &edges,
                                                         const Migration<dim> &migration) const
   {
-    std::vector<bool> removed(cloud.size(), false);
+    const unsigned int n = cloud.size();
+    // What holds the shape of the domain stays before what lies inside it: slip walls' contacts, the free surface.
+    std::vector<unsigned int> rank(n);
+    const std::vector<bool> on_surface = mesh.on_free_surface(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      rank[i] = on_surface[i] ? dim + 1 : 0;
+      for (const int facet : cloud.slip_facets[i])
+        rank[i] += (facet != ParticleCloud<dim>::no_facet);
+    }
+    Changes changes{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
     for (const unsigned int i : mesh.particles())
-      removed[i] = cloud.kind[i] == ParticleKind::fluid &&
-                   is_at_wall(cloud.position[i], cloud.spacing[i], walls);
+      if (cloud.kind[i] == ParticleKind::fluid && is_at_wall(cloud.position[i], cloud.spacing[i], walls))
+        changes.removed[i] = 1.;
+    migration.update(changes.removed);
 
-    // The first removals that change each particle, and that need it as it is.
-    const std::vector<Removal> removals = find_candidates(cloud, mesh, edges, removed);
-    std::vector<unsigned int> changed_by(cloud.size(), removals.size()), needed_by = changed_by;
-    for (unsigned int r = removals.size(); r-- > 0;)
+    std::vector<Edge> short_edges;
+    for (const auto &[a, b] : edges)
+      if ((cloud.kind[a] == ParticleKind::fluid || cloud.kind[b] == ParticleKind::fluid) &&
+          cloud.position[a].distance(cloud.position[b]) <
+            0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
+        short_edges.emplace_back(a, b);
+
+    const SurfaceChain chains(mesh, n);
+    for (bool any_news = true; any_news;)
     {
-      changed_by[removals[r].removed] = r;
-      for (const unsigned int i : removals[r].moved)
-        changed_by[i] = r;
-      for (const unsigned int i : removals[r].needed)
-        needed_by[i] = r;
-    }
-    for (unsigned int r = 0; r < removals.size(); ++r)
-    {
-      const Removal &removal    = removals[r];
-      const auto has_first_word = [&](const unsigned int i) { return changed_by[i] == r && needed_by[i] > r; };
-      if (!has_first_word(removal.removed) ||
-          !std::all_of(removal.moved.begin(), removal.moved.end(), has_first_word) ||
-          !std::all_of(removal.needed.begin(), removal.needed.end(),
-                       [&](const unsigned int i) { return changed_by[i] > r; }))
-        continue;
-      removed[removal.removed] = true;
-      for (const unsigned int a : removal.moved)
+      // The first removals that change each particle, and that need it as it is.
+      const std::vector<Removal> removals = find_candidates(cloud, short_edges, rank, chains, changes);
+      std::vector<unsigned int> changed_by(n, removals.size()), needed_by = changed_by;
+      for (unsigned int r = removals.size(); r-- > 0;)
       {
-        const unsigned int b   = removal.removed;
-        cloud.position[a]      = removal.place;
-        cloud.velocity[a]      = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
-        cloud.acceleration[a]  = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
-        cloud.pressure[a]      = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
-        cloud.pressure_rate[a] = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
+        changed_by[removals[r].removed] = r;
+        for (const unsigned int i : removals[r].moved)
+          changed_by[i] = r;
+        for (const unsigned int i : removals[r].needed)
+          needed_by[i] = r;
       }
+      std::vector<unsigned int> news(2, 0); // whether own particles were changed, and any moved
+      for (unsigned int r = 0; r < removals.size(); ++r)
+      {
+        const Removal &removal    = removals[r];
+        const unsigned int b      = removal.removed;
+        const auto has_first_word = [&](const unsigned int i) {
+          return changed_by[i] == r && needed_by[i] > r;
+        };
+        if (!has_first_word(b) ||
+            !std::all_of(removal.moved.begin(), removal.moved.end(), has_first_word) ||
+            !std::all_of(removal.needed.begin(), removal.needed.end(),
+                         [&](const unsigned int i) { return changed_by[i] > r; }))
+          continue;
+        changes.removed[b] = 1.;
+        if (cloud.is_own(b) || std::any_of(removal.moved.begin(), removal.moved.end(),
+                                           [&](const unsigned int i) { return cloud.is_own(i); }))
+          news[0] = 1;
+        if (!removal.moved.empty())
+          news[1] = 1;
+        for (const unsigned int a : removal.moved)
+        {
+          changes.merged[a]      = 1.;
+          cloud.position[a]      = removal.place;
+          cloud.velocity[a]      = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
+          cloud.acceleration[a]  = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
+          cloud.pressure[a]      = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
+          cloud.pressure_rate[a] = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
+        }
+      }
+      // What this rank thinks of others' particles may be wrong at the rim of its region: their owners know.
+      if (!migration.is_alone())
+      {
+        Utilities::MPI::max(news, migration.communicator(), news);
+        migration.update(changes.removed);
+        migration.update(changes.merged);
+        if (news[1] > 0)
+          migration.update(cloud);
+      }
+      any_news = news[0] > 0;
     }
-
-    if (migration.is_alone())
-      return removed;
-    // What this rank thinks of others' particles may be wrong at the rim of its region.
-    std::vector<double> flags(removed.begin(), removed.end());
-    migration.update(flags);
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      removed[i] = flags[i] > 0.;
-    migration.update(cloud);
+    std::vector<bool> removed;
+    for (const double flag : changes.removed)
+      removed.push_back(flag > 0.);
     return removed;
   }
 
@@ -273,26 +291,33 @@ namespace Lahar
     }
     std::sort(candidates.begin(), candidates.end());
 
-    // One division per particle and step, the longest edges first: its other long edges may be gone afterwards.
-    std::vector<unsigned int> first(cloud.size(), candidates.size());
-    for (unsigned int c = candidates.size(); c-- > 0;)
-      first[candidates[c].second.first] = first[candidates[c].second.second] = c;
-    std::vector<Edge> divided;
-    for (unsigned int c = 0; c < candidates.size(); ++c)
-      if (const Edge &edge = candidates[c].second; first[edge.first] == c && first[edge.second] == c)
-        divided.push_back(edge);
-    std::sort(divided.begin(), divided.end());
-    if (migration.is_alone())
-      return divided;
+    // One division per particle and step: its other long edges may be gone afterwards. Of an edge that is divided each
+    // end knows the number of the other one.
+    constexpr double none = -1.;
+    std::vector<double> other(cloud.size(), none);
+    for (bool any = true; any;)
+    {
+      const auto is_free = [&](const Edge &edge) { return other[edge.first] + other[edge.second] == 2. * none; };
+      std::vector<unsigned int> first(cloud.size(), candidates.size());
+      for (unsigned int c = candidates.size(); c-- > 0;)
+        if (const Edge &edge = candidates[c].second; is_free(edge))
+          first[edge.first] = first[edge.second] = c;
+      any = false;
+      for (unsigned int c = 0; c < candidates.size(); ++c)
+        if (const Edge &edge = candidates[c].second; first[edge.first] == c && first[edge.second] == c)
+        {
+          other[edge.first]  = cloud.number[edge.second];
+          other[edge.second] = cloud.number[edge.first];
+          any = any || cloud.is_own(edge.first) || cloud.is_own(edge.second);
+        }
+      if (!migration.is_alone())
+        any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
+      migration.update(other);
+    }
 
-    // The number of the other end by the first one, as its owner sees it.
-    std::vector<double> other(cloud.size(), -1.);
-    for (const auto &[a, b] : divided)
-      other[a] = cloud.number[b];
-    migration.update(other);
-    divided.clear();
+    std::vector<Edge> divided;
     for (unsigned int a = 0; a < cloud.size(); ++a)
-      if (other[a] >= 0.)
+      if (other[a] > cloud.number[a])
         if (const unsigned int b = cloud.find(static_cast<std::uint64_t>(other[a])); b < cloud.size())
           divided.emplace_back(a, b);
     return divided;

@@ -36,15 +36,15 @@ struct Fluid
       if (with_solid)
       {
         // A square in the way, its edges as long as two spacings.
-        const std::vector<Point<2>> corners{{2.2, 0.6}, {2.4, 0.6}, {2.6, 0.6}, {2.6, 0.8},
-                                            {2.6, 1.}, {2.4, 1.},  {2.2, 1.},  {2.2, 0.8}};
+        const std::vector<Point<2>> corners{{5.2, 0.6}, {5.4, 0.6}, {5.6, 0.6}, {5.6, 0.8},
+                                            {5.6, 1.}, {5.4, 1.},  {5.2, 1.},  {5.2, 0.8}};
         for (const Point<2> &corner : corners)
           cloud.append(corner, ParticleKind::solid, h);
         for (unsigned int i = 0; i < 8; ++i)
           contour.push_back({{i, (i + 1) % 8}});
         n_contour = 8;
       }
-    const unsigned int n[3] = {dim == 2 ? 20U : 9U, dim == 2 ? 20U : 9U, dim == 2 ? 1U : 7U};
+    const unsigned int n[3] = {dim == 2 ? 50U : 45U, dim == 2 ? 12U : 4U, dim == 2 ? 1U : 4U};
     for (unsigned int k = 0; k < n[2]; ++k)
       for (unsigned int j = 0; j < n[1]; ++j)
         for (unsigned int i = 0; i < n[0]; ++i)
@@ -57,17 +57,17 @@ struct Fluid
           x[dim - 1] += h;
           cloud.append(x + (disturbed ? 0.2 * h : 0.) * random.vector<dim>(), ParticleKind::fluid, h);
         }
-    for (unsigned int j = 0; j < (dim == 3 ? 21U : 1U); ++j)
-      for (unsigned int i = 0; i < (dim == 2 ? 60U : 21U); ++i)
+    for (unsigned int j = 0; j < (dim == 3 ? 10U : 1U); ++j)
+      for (unsigned int i = 0; i < (dim == 2 ? 100U : 70U); ++i)
       {
         Point<dim> x;
-        x[0] = h * i - (dim == 2 ? 1. : 0.6);
+        x[0] = h * i - 1.;
         if (dim == 3)
-          x[1] = h * j - 0.6;
+          x[1] = h * j - 0.4;
         cloud.append(x, ParticleKind::wall, h);
       }
     if constexpr (dim == 2)
-      floor.push_back({{{{5., 0.}, {-1., 0.}}}});
+      floor.push_back({{{{9., 0.}, {-1., 0.}}}});
     remesher.create_mesh(cloud, Walls<dim>(floor), contour, std::vector<bool>(cloud.size(), true), mesh);
     migration.distribute(cloud, mesh, distance(communicator), n_contour);
   }
@@ -98,7 +98,7 @@ struct Fluid
       Tensor<1, dim> v;
       if (cloud.kind[i] == ParticleKind::fluid)
       {
-        v[0]       = 1. + 0.8 * x[0] * (1.5 - x[dim - 1]);
+        v[0]       = 1. + 0.3 * x[0] * (1.5 - x[dim - 1]);
         v[dim - 1] = -0.8 * x[dim - 1] + 0.5 * std::sin(6. * x[0]);
         if (dim == 3)
           v[1] = std::cos(5. * x[0]);
@@ -106,7 +106,7 @@ struct Fluid
       else if (cloud.kind[i] == ParticleKind::solid)
       {
         v[0]       = -0.3 * (x[1] - 0.8);
-        v[dim - 1] = 0.3 * (x[0] - 2.4);
+        v[dim - 1] = 0.3 * (x[0] - 5.4);
       }
       cloud.velocity[i] = v;
       cloud.pressure[i] = x[0];
@@ -173,7 +173,7 @@ void test(const bool disturbed, const bool with_solid, const bool keep_volume)
   const unsigned int n_cells_then = whole.mesh.n_cells();
   bool same_cells = true, knows_around = true;
   double largest_error = 0.;
-  for (unsigned int step = 0; step < 25; ++step)
+  for (unsigned int step = 0; step < 12; ++step)
   {
     whole.step(0.02, MPI_COMM_SELF);
     parts.step(0.02, MPI_COMM_WORLD);
@@ -202,12 +202,17 @@ void test(const bool disturbed, const bool with_solid, const bool keep_volume)
   check(name + "the same cells and particles", same_cells);
   check(name + "in the same places", largest_error, keep_volume ? 1e-11 : 0.);
   check(name + "ranks know the cells around", knows_around);
-  check(name + "particles were inserted", whole.cloud.next_number > n_at_first + 20);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  check(name + "ranks do not know all",
+        n_ranks == 1 ||
+          Utilities::MPI::sum(parts.cloud.size(), MPI_COMM_WORLD) < 0.9 * n_ranks * whole.cloud.size());
+  check(name + "particles were inserted", whole.cloud.next_number > n_at_first + 10);
   check(name + "and removed", whole.cloud.size() < whole.cloud.next_number - 5);
-  check(name + "cells are new", whole.n_new > 50 && whole.mesh.n_cells() != n_cells_then);
+  check(name + "cells are new", whole.n_new > 5 && whole.mesh.n_cells() != n_cells_then);
   check(name + "numbers of new cells' corners", Utilities::MPI::sum(parts.n_new, MPI_COMM_WORLD) >= whole.n_new);
   if (with_solid)
-    check(name + "contour facets were mended", whole.n_forced > 0);
+    check(name + "contour facets were mended, the same number",
+          whole.n_forced > 0 && Utilities::MPI::sum(parts.n_forced, MPI_COMM_WORLD) == whole.n_forced);
 }
 
 int main(int argc, char **argv)

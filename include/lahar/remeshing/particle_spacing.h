@@ -12,6 +12,8 @@
 
 namespace Lahar
 {
+  class SurfaceChain;
+
   /**
    * Keeps the distance of neighbouring particles near the spacing h.
    *
@@ -21,9 +23,10 @@ namespace Lahar
    * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
    * get a particle in their middle.
    *
-   * What happens to an edge depends on its surroundings only: of several short edges that would change the same particle
-   * the shortest has its way, and an edge is divided if it is the longest one at both of its ends. The others' turn comes
-   * with the next remeshing. So the result does not depend on the order of the edges, nor on the number of ranks.
+   * The shortest of the short and the longest of the long edges come first, and each particle is changed once. As what
+   * happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that would change
+   * the same particle the shortest has its way, an edge is divided if it is the longest one at both of its ends, and so
+   * on with those that are left. So the result does not depend on the order of the edges, nor on the number of ranks.
    */
   template <int dim>
   class ParticleSpacing
@@ -51,10 +54,17 @@ namespace Lahar
       Point<dim> place;                 ///< of the moved particle, m
     };
 
-    /// The removals of all short edges, given the particles that are @p removed anyway, the shortest first.
-    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
-                                         const std::vector<Edge> &edges,
-                                         const std::vector<bool> &removed) const;
+    /// What has become of the particles so far, as flags to be exchanged.
+    struct Changes
+    {
+      std::vector<double> removed, merged;
+    };
+
+    /// The removals that are possible of the @p short_edges, the shortest first. @param rank by particle, the higher
+    /// ones stay. @param chains the free surface in the plane.
+    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud, const std::vector<Edge> &short_edges,
+                                         const std::vector<unsigned int> &rank, const SurfaceChain &chains,
+                                         const Changes &changes) const;
 
     /// Particles to remove; merges move the surviving ones.
     std::vector<bool> find_removals(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
