@@ -30,13 +30,12 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
-                                const unsigned int n_solid_nodes,
-                                const std::vector<unsigned int> &solid_cells,
-                                const unsigned int new_nodes_per_solid_cell,
-                                const std::vector<Point<dim>> &positions,
-                                const std::vector<unsigned int> &owners,
-                                const std::vector<std::uint64_t> &keys)
+  void
+  BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
+                           const unsigned int n_solid_nodes, const std::vector<unsigned int> &solid_cells,
+                           const unsigned int new_nodes_per_solid_cell,
+                           const std::vector<Point<dim>> &positions, const std::vector<unsigned int> &owners,
+                           const std::vector<std::uint64_t> &keys)
   {
     nodes_per_solid_cell             = new_nodes_per_solid_cell;
     n_fluid_nodes                    = new_n_fluid_nodes;

@@ -151,12 +151,12 @@ namespace Lahar
   template <int dim>
   unsigned int ParticleCloud<dim>::owner_of(const std::array<unsigned int, dim + 1> &cell) const
   {
-    unsigned int first_fluid = numbers::invalid_unsigned_int;
+    unsigned int first = numbers::invalid_unsigned_int;
     for (const unsigned int i : cell)
       if (kind[i] == ParticleKind::fluid)
-        first_fluid = std::min(first_fluid, i);
-    Assert(first_fluid < size(), ExcMessage("The cell has no fluid particle."));
-    return owner[first_fluid];
+        first = std::min(first, i);
+    return owner[first == numbers::invalid_unsigned_int ? *std::min_element(cell.begin(), cell.end())
+                                                        : first];
   }
 
 

@@ -82,9 +82,9 @@ namespace Lahar
         good = true;
         for (unsigned int p = 0; p < n; ++p)
         {
-          const Part &part   = parts[begin + p];
-          const double share = static_cast<double>(part.n_ranks / 2) / part.n_ranks,
-                       error = sums[2 * p + 1] - share * sums[2 * p];
+          const Part &part                   = parts[begin + p];
+          const double share                 = static_cast<double>(part.n_ranks / 2) / part.n_ranks,
+                       error                 = sums[2 * p + 1] - share * sums[2 * p];
           (error > 0. ? upper[p] : lower[p]) = part.place;
           good = good && (part.n_ranks == 1 || std::abs(error) <= tolerance * sums[2 * p]);
         }

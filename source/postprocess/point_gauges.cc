@@ -92,7 +92,8 @@ namespace Lahar
       // A point on a face lies in cells of several ranks.
       const std::uint64_t first_of_all = Utilities::MPI::min(first_corner, snapshot.communicator());
       const unsigned int rank          = Utilities::MPI::this_mpi_process(snapshot.communicator()),
-                         first_rank    = Utilities::MPI::min(first_corner == first_of_all ? rank : rank + n_ranks,
+                         first_rank    = Utilities::MPI::min(first_corner == first_of_all ? rank
+                                                                                          : rank + n_ranks,
                                                           snapshot.communicator());
       if (rank != first_rank)
       {

@@ -71,7 +71,8 @@ namespace Lahar
                        rank    = Utilities::MPI::this_mpi_process(communicator);
     // Each rank writes its own cells, if it has some.
     const std::vector<unsigned int> cells   = snapshot.mesh.own_cells(snapshot.cloud);
-    const std::vector<unsigned int> n_cells = Utilities::MPI::all_gather<unsigned int>(communicator, cells.size());
+    const std::vector<unsigned int> n_cells = Utilities::MPI::all_gather<unsigned int>(communicator,
+                                                                                       cells.size());
     std::vector<std::string> pieces;
     std::string own_piece, list;
     for (unsigned int r = 0; r < n_ranks; ++r)
@@ -107,9 +108,9 @@ namespace Lahar
     // Any rank with cells knows the list.
     const std::string file_name = name + ".pvtu";
     list                        = Utilities::MPI::broadcast(communicator, list,
-                                     std::find_if(n_cells.begin(), n_cells.end(),
-                                                  [](const unsigned int n) { return n > 0; }) -
-                                       n_cells.begin());
+                                                            std::find_if(n_cells.begin(), n_cells.end(),
+                                                                         [](const unsigned int n) { return n > 0; }) -
+                                                              n_cells.begin());
     on_first_rank(communicator, [&] {
       write_atomically(directory + "/" + file_name, [&](std::ostream &file) { file << list; });
     });
@@ -167,8 +168,7 @@ namespace Lahar
     data_out.add_data_vector(yielded, "yielded", DataOut<dim>::type_cell_data);
     data_out.build_patches(mesh.mapping());
 
-    write_atomically(directory + "/" + file_name,
-                     [&](std::ostream &file) { data_out.write_vtu(file); });
+    write_atomically(directory + "/" + file_name, [&](std::ostream &file) { data_out.write_vtu(file); });
     std::ostringstream list;
     data_out.write_pvtu_record(list, pieces);
     return list.str();

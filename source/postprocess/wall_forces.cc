@@ -49,12 +49,12 @@ namespace Lahar
         const unsigned int particle = snapshot.mesh.particle(v);
         const bool is_on_wall       = snapshot.cloud.kind[particle] == ParticleKind::wall ||
                                 snapshot.cloud.on_slip_wall(particle);
-        if (is_on_wall && snapshot.cloud.is_own(particle) && box.contains(snapshot.cloud.position[particle], 0.))
+        if (is_on_wall && snapshot.cloud.is_own(particle) &&
+            box.contains(snapshot.cloud.position[particle], 0.))
           force -= snapshot.wall_forces[v];
       }
       for (unsigned int d = 0; d < dim; ++d)
-        add_to_column(statistics, name + " force " + "xyz"[d] + " (N)",
-                      snapshot.sum_of_ranks(force[d]));
+        add_to_column(statistics, name + " force " + "xyz"[d] + " (N)", snapshot.sum_of_ranks(force[d]));
     }
   }
 

@@ -79,7 +79,7 @@ namespace Lahar
     for (unsigned int i = 0; i < n; ++i)
     {
       const auto found = is_foreign[i] ? shared.find(label[i]) : shared.end();
-      result[i]        = is_foreign[i] ? (found == shared.end() ? 0. : found->second) : of_set[sets.find_set(i)];
+      result[i] = is_foreign[i] ? (found == shared.end() ? 0. : found->second) : of_set[sets.find_set(i)];
     }
     return result;
   }

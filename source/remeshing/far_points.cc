@@ -126,12 +126,12 @@ namespace Lahar
       const Tensor<1, dim> to_centre = to_circumcentre<dim>(corners);
       for (unsigned int n = 0; n < n_wanted; ++n)
       {
-        const unsigned int nearest = tree->nearest_in_ball(
-          centroid<dim>(corners), corners[0] + to_centre, (1. + ball_margin) * to_centre.norm(),
-          [&](const unsigned int i) {
-            return !is_told[i] && !is_in_box(cloud.position[i], bounds) &&
-                   in_circumball<dim>(corners, cloud.position[i]);
-          });
+        const unsigned int nearest =
+          tree->nearest_in_ball(centroid<dim>(corners), corners[0] + to_centre,
+                                (1. + ball_margin) * to_centre.norm(), [&](const unsigned int i) {
+                                  return !is_told[i] && !is_in_box(cloud.position[i], bounds) &&
+                                         in_circumball<dim>(corners, cloud.position[i]);
+                                });
         if (nearest == numbers::invalid_unsigned_int)
           break;
         is_told[nearest] = true;

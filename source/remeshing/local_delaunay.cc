@@ -46,12 +46,11 @@ namespace Lahar
      * @param growth by which more points are used each time that a simplex has stood.
      */
     template <int dim, typename Triangulation>
-    std::vector<Simplex<dim>> find_simplices(const ParticleCloud<dim> &cloud, const std::vector<bool> &own,
-                                             const double reach,
-                                             const std::function<bool(const Simplex<dim> &)> &matters,
-                                             const Migration<dim> &migration, std::vector<Point<dim>> &points,
-                                             const std::vector<bool> &used_anyway, const unsigned int growth,
-                                             Triangulation &triangulation)
+    std::vector<Simplex<dim>>
+    find_simplices(const ParticleCloud<dim> &cloud, const std::vector<bool> &own, const double reach,
+                   const std::function<bool(const Simplex<dim> &)> &matters, const Migration<dim> &migration,
+                   std::vector<Point<dim>> &points, const std::vector<bool> &used_anyway,
+                   const unsigned int growth, Triangulation &triangulation)
     {
       const std::vector<BoundingBox<dim>> box = find_box(points, own, reach);
       std::vector<unsigned int> added, others;
@@ -123,10 +122,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Simplex<dim>> local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own,
-                                           const double reach,
-                                           const std::function<bool(const Simplex<dim> &)> &matters,
-                                           const Migration<dim> &migration)
+  std::vector<Simplex<dim>>
+  local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own, const double reach,
+                 const std::function<bool(const Simplex<dim> &)> &matters, const Migration<dim> &migration)
   {
     std::vector<Point<dim>> points = cloud.position;
     DelaunayTriangulation<dim> triangulation(points);
@@ -136,12 +134,12 @@ namespace Lahar
 
 
 
-  std::vector<Simplex<2>>
-  local_constrained_delaunay(const ParticleCloud<2> &cloud, const std::vector<bool> &own, const double reach,
-                             const std::function<bool(const Simplex<2> &)> &matters,
-                             const Migration<2> &migration,
-                             const std::vector<std::array<unsigned int, 2>> &segments,
-                             std::vector<bool> &forced)
+  std::vector<Simplex<2>> local_constrained_delaunay(const ParticleCloud<2> &cloud,
+                                                     const std::vector<bool> &own, const double reach,
+                                                     const std::function<bool(const Simplex<2> &)> &matters,
+                                                     const Migration<2> &migration,
+                                                     const std::vector<std::array<unsigned int, 2>> &segments,
+                                                     std::vector<bool> &forced)
   {
     std::vector<Point<2>> points = cloud.position;
     std::vector<bool> used(cloud.size(), false);

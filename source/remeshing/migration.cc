@@ -151,7 +151,7 @@ namespace Lahar
       mesh.find_boundary_faces(cloud);
       return;
     }
-    using Record = typename ParticleCloud<dim>::Record;
+    using Record    = typename ParticleCloud<dim>::Record;
     region_distance = distance;
     divide_space(cloud, mesh);
     find_boxes(cloud);

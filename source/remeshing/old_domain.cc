@@ -18,8 +18,8 @@ namespace Lahar
         continue;
       for (const unsigned int particle : simplex)
         cells_of[particle].push_back(cells.size());
-      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume,
-                       cloud.is_own(simplex)});
+      cells.push_back(
+        {transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume, cloud.is_own(simplex)});
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
@@ -158,9 +158,10 @@ namespace Lahar
   template <int dim>
   std::vector<unsigned int> OldDomain<dim>::old_neighbours(const unsigned int particle) const
   {
-    const unsigned int old = particle >= seeds.size()                                ? particle - seeds.size()
-                             : seeds[particle].first == seeds[particle].second ? seeds[particle].first
-                                                                                : numbers::invalid_unsigned_int;
+    const unsigned int old = particle >= seeds.size() ? particle - seeds.size()
+                             : seeds[particle].first == seeds[particle].second
+                               ? seeds[particle].first
+                               : numbers::invalid_unsigned_int;
     std::vector<unsigned int> result;
     if (old < cells_of.size())
       for (const unsigned int cell : cells_of[old])

@@ -1,3 +1,4 @@
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <lahar/remeshing/particle_spacing.h>
@@ -18,14 +19,14 @@ namespace Lahar
       : links(dim == 2 ? n_particles : 0, {{none, none}})
     {
       if constexpr (dim == 2)
-      for (const BoundaryFace &face : mesh.boundary_faces())
-        if (face.free_surface)
-        {
-          const Simplex<2> &cell  = mesh.particle_cells()[face.cell];
-          const unsigned int from = cell[(face.opposite + 1) % 3], to = cell[(face.opposite + 2) % 3];
-          links[from][1] = (links[from][1] == none ? to : ambiguous);
-          links[to][0]   = (links[to][0] == none ? from : ambiguous);
-        }
+        for (const BoundaryFace &face : mesh.boundary_faces())
+          if (face.free_surface)
+          {
+            const Simplex<2> &cell  = mesh.particle_cells()[face.cell];
+            const unsigned int from = cell[(face.opposite + 1) % 3], to = cell[(face.opposite + 2) % 3];
+            links[from][1] = (links[from][1] == none ? to : ambiguous);
+            links[to][0]   = (links[to][0] == none ? from : ambiguous);
+          }
     }
 
     /**
@@ -158,23 +159,20 @@ namespace Lahar
       {
         const unsigned int fluid = cloud.kind[a] == ParticleKind::fluid ? a : b;
         if (rank[fluid] == 0 || length < surface_to_wall * shortest)
-          result.push_back({length, edge, fluid, {}, {}, {}});
+          result.push_back({fluid, {}, {}, {}});
       }
       else if (rank[a] != rank[b] || rank[b] == 0 ||
                (rank[b] <= dim && cloud.slip_facets[a] == cloud.slip_facets[b]))
-        result.push_back({length, edge, inside, {}, {inside == a ? b : a}, {}});
+        result.push_back({inside, {}, {inside == a ? b : a}, {}});
       else if constexpr (dim == 2)
         if (rank[b] == dim + 1)
         {
           const std::vector<unsigned int> chain = chains.around(edge, changes.removed);
           Point<2> place;
           if (!chain.empty() && find_merged_place(chain, cloud, place))
-            result.push_back({length, edge, b, {a}, {chain[0], chain[3]}, place});
+            result.push_back({b, {a}, {chain[0], chain[3]}, place});
         }
     }
-    std::sort(result.begin(), result.end(), [](const Removal &r, const Removal &s) {
-      return std::make_pair(r.length, r.edge) < std::make_pair(s.length, s.edge);
-    });
     return result;
   }
 
@@ -231,8 +229,7 @@ namespace Lahar
         const auto has_first_word = [&](const unsigned int i) {
           return changed_by[i] == r && needed_by[i] > r;
         };
-        if (!has_first_word(b) ||
-            !std::all_of(removal.moved.begin(), removal.moved.end(), has_first_word) ||
+        if (!has_first_word(b) || !std::all_of(removal.moved.begin(), removal.moved.end(), has_first_word) ||
             !std::all_of(removal.needed.begin(), removal.needed.end(),
                          [&](const unsigned int i) { return changed_by[i] > r; }))
           continue;
@@ -297,7 +294,9 @@ namespace Lahar
     std::vector<double> other(cloud.size(), none);
     for (bool any = true; any;)
     {
-      const auto is_free = [&](const Edge &edge) { return other[edge.first] + other[edge.second] == 2. * none; };
+      const auto is_free = [&](const Edge &edge) {
+        return other[edge.first] + other[edge.second] == 2. * none;
+      };
       std::vector<unsigned int> first(cloud.size(), candidates.size());
       for (unsigned int c = candidates.size(); c-- > 0;)
         if (const Edge &edge = candidates[c].second; is_free(edge))
@@ -308,7 +307,7 @@ namespace Lahar
         {
           other[edge.first]  = cloud.number[edge.second];
           other[edge.second] = cloud.number[edge.first];
-          any = any || cloud.is_own(edge.first) || cloud.is_own(edge.second);
+          any                = any || cloud.is_own(edge.first) || cloud.is_own(edge.second);
         }
       if (!migration.is_alone())
         any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
@@ -326,31 +325,34 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleSpacing<dim>::insert(const std::vector<Edge> &edges, const Migration<dim> &migration,
+  void ParticleSpacing<dim>::insert(std::vector<Edge> &edges, const Migration<dim> &migration,
                                     ParticleCloud<dim> &cloud) const
   {
-    if (migration.is_alone())
+    using Key         = std::pair<double, std::uint64_t>; // the longest first
+    const auto key_of = [&](const Edge &edge) {
+      return Key(-cloud.position[edge.first].distance(cloud.position[edge.second]), cloud.number[edge.first]);
+    };
+    std::sort(edges.begin(), edges.end(),
+              [&](const Edge &e, const Edge &f) { return key_of(e) < key_of(f); });
+    std::vector<Key> keys;
+    for (const Edge &edge : edges)
+      if (cloud.is_own(edge.first))
+        keys.push_back(key_of(edge));
+    if (!migration.is_alone())
     {
-      for (const auto &[a, b] : edges)
-        cloud.append_midpoint(a, b);
-      return;
+      const auto of_ranks = Utilities::MPI::all_gather(migration.communicator(), keys);
+      keys.clear();
+      for (const std::vector<Key> &of_rank : of_ranks)
+        keys.insert(keys.end(), of_rank.begin(), of_rank.end());
+      std::sort(keys.begin(), keys.end());
     }
-    // The new particles' numbers follow those of their first parents.
-    std::vector<std::uint64_t> own, parents;
-    for (const auto &[a, b] : edges)
-      if (cloud.is_own(a))
-        own.push_back(cloud.number[a]);
-    for (const auto &of_rank : Utilities::MPI::all_gather(migration.communicator(), own))
-      parents.insert(parents.end(), of_rank.begin(), of_rank.end());
-    std::sort(parents.begin(), parents.end());
     const std::uint64_t first = cloud.next_number;
-    for (const auto &[a, b] : edges)
+    for (const Edge &edge : edges)
     {
-      const unsigned int i = cloud.append_midpoint(a, b);
-      cloud.number[i]      = first + (std::lower_bound(parents.begin(), parents.end(), cloud.number[a]) -
-                                 parents.begin());
+      const unsigned int i = cloud.append_midpoint(edge.first, edge.second);
+      cloud.number[i] = first + (std::lower_bound(keys.begin(), keys.end(), key_of(edge)) - keys.begin());
     }
-    cloud.next_number = first + parents.size();
+    cloud.next_number = first + keys.size();
   }
 
 
@@ -360,9 +362,9 @@ namespace Lahar
                                    const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain,
                                    Migration<dim> &migration) const
   {
-    const std::vector<Edge> edges    = edges_of<dim>(mesh, cloud.size());
-    std::vector<bool> removed        = find_removals(cloud, walls, mesh, edges, migration);
-    const std::vector<Edge> inserted = find_insertions(cloud, edges, removed, migration);
+    const std::vector<Edge> edges = edges_of<dim>(mesh, cloud.size());
+    std::vector<bool> removed     = find_removals(cloud, walls, mesh, edges, migration);
+    std::vector<Edge> inserted    = find_insertions(cloud, edges, removed, migration);
     if (migration.is_alone() && inserted.empty() &&
         std::find(removed.begin(), removed.end(), true) == removed.end())
       return;

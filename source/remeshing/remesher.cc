@@ -56,10 +56,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Simplex<dim>> Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud,
-                                                          const std::vector<Facet> &solid_facets,
-                                                          const Migration<dim> &migration,
-                                                          unsigned int &n_forced) const
+  std::vector<Simplex<dim>>
+  Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud, const std::vector<Facet> &solid_facets,
+                                const Migration<dim> &migration, unsigned int &n_forced) const
   {
     std::vector<bool> own(cloud.size(), false);
     double largest_spacing = 0.;

@@ -140,8 +140,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_checkpoint()
   {
-    last_checkpoint_wall_time  = earlier_wall_time = progress->wall_time();
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
+    const unsigned int n_ranks                    = Utilities::MPI::n_mpi_processes(communicator);
     const CheckpointFile::Piece place{step_number, Utilities::MPI::this_mpi_process(communicator), n_ranks};
     const std::string piece = save_piece();
     on_all_ranks(communicator, [&] {
@@ -170,7 +170,7 @@ namespace Lahar
   void Simulator<dim>::resume()
   {
     const std::string state = checkpoint.read();
-    visualization = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
+    visualization           = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
     std::vector<std::string> pieces;
     on_all_ranks(communicator, [&] {
       try

@@ -143,13 +143,14 @@ namespace Lahar
   {
     std::ostringstream text;
     const auto &vertices          = fluid_mesh.particles();
-    const unsigned int n_vertices = count_on_ranks(std::count_if(
-      vertices.begin(), vertices.end(), [&](const unsigned int i) { return particles.is_own(i); }));
+    const unsigned int n_vertices = count_on_ranks(
+      std::count_if(vertices.begin(), vertices.end(),
+                    [&](const unsigned int i) { return particles.is_own(i); }));
     text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
          << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
          << "\nFluid cells      " << count_on_ranks(fluid_mesh.own_cells(particles).size())
-         << "\nUnknowns         " << (dim + 1) * n_vertices << "\nFluid volume     "
-         << initial_volume << (dim == 2 ? " m^2" : " m^3");
+         << "\nUnknowns         " << (dim + 1) * n_vertices << "\nFluid volume     " << initial_volume
+         << (dim == 2 ? " m^2" : " m^3");
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();

@@ -165,10 +165,10 @@ namespace Lahar
                                            const std::vector<NodeConstraint<2>> &, const FluidLaw &,
                                            const Tensor<1, 2> &, const TimeIntegration &,
                                            const std::vector<bool> &, const Solids<2> &, const double,
-                                         const Migration<2> &);
+                                           const Migration<2> &);
   template void StepProblem<3>::start_step(const FluidMesh<3> &, const ParticleCloud<3> &,
                                            const std::vector<NodeConstraint<3>> &, const FluidLaw &,
                                            const Tensor<1, 3> &, const TimeIntegration &,
                                            const std::vector<bool> &, const Solids<3> &, const double,
-                                         const Migration<3> &);
+                                           const Migration<3> &);
 } // namespace Lahar

@@ -336,7 +336,7 @@ namespace Lahar
     system.partition().update(residuals);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      const unsigned int node                 = system.local_number(v);
+      const unsigned int node                  = system.local_number(v);
       result[system.partition().nodes()[node]] = residuals[node];
     }
     return result;

@@ -91,7 +91,8 @@ namespace Lahar
   {
     std::ifstream file(name, std::ios::binary);
     if (!file || !std::filesystem::is_regular_file(name))
-      fail(name, "is not there or cannot be read", "an output directory in which a run has left a checkpoint");
+      fail(name, "is not there or cannot be read",
+           "an output directory in which a run has left a checkpoint");
     std::string line, word[3];
     unsigned int version = 0, sum = 0;
     std::size_t size = 0;
@@ -151,7 +152,8 @@ namespace Lahar
 
 
 
-  void CheckpointFile::fail(const std::string &name, const std::string &found, const std::string &allowed) const
+  void CheckpointFile::fail(const std::string &name, const std::string &found,
+                            const std::string &allowed) const
   {
     throw InputError("Option --resume: the checkpoint '" + name + "' " + found + ". Allowed: " + allowed +
                      ".");

@@ -230,7 +230,7 @@ def test_damaged(parent):
             ("truncated", good[:middle], "bytes of data"), ("cut in its header", good[:30], "truncated or corrupted"),
             ("with a byte changed", flipped, "checksum is wrong"), ("empty", b"", "is no checkpoint"),
             ("foreign", b"something else\n" * 100, "is no checkpoint"),
-            ("of an older format", good.replace(b"version 2", b"version 1", 1), "format version 1"),
+            ("of an older format", good.replace(b"version 3", b"version 2", 1), "format version 2"),
             ("too long", good + b"x", "bytes of data")]:
         with open(state, "wb") as file:
             file.write(data)

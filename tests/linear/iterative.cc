@@ -55,9 +55,16 @@ void test(const unsigned int n)
   // The state of all vertices is known to all ranks; each assembles its part.
   BlockSystem<dim> system(MPI_COMM_WORLD);
   std::vector<Point<dim>> positions;
+  std::vector<unsigned int> owners;
+  std::vector<std::uint64_t> keys;
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   for (const unsigned int particle : mesh.particles())
+  {
     positions.push_back(cloud.position[particle]);
-  system.reinit(mesh.n_vertices(), mesh.cells(), 0, {}, 0, positions);
+    owners.push_back(std::min<unsigned int>(positions.back()[0] / (0.01 * n) * n_ranks, n_ranks - 1));
+    keys.push_back(particle);
+  }
+  system.reinit(mesh.n_vertices(), mesh.cells(), 0, {}, 0, positions, owners, keys);
   FluidMesh<dim> part;
   part.reinit_part(mesh, system.partition().nodes(), system.cells());
 

@@ -29,15 +29,15 @@ struct Fluid
   Fluid(const MPI_Comm &communicator, const bool disturbed, const bool with_solid, const bool keep_volume)
     : migration(communicator)
   {
-    parse(remesher, std::string("subsection Remeshing\n set Keep volume = ") + (keep_volume ? "true" : "false") +
-                      "\nend\n");
+    parse(remesher, std::string("subsection Remeshing\n set Keep volume = ") +
+                      (keep_volume ? "true" : "false") + "\nend\n");
     Random random;
     if constexpr (dim == 2)
       if (with_solid)
       {
         // A square in the way, its edges as long as two spacings.
         const std::vector<Point<2>> corners{{5.2, 0.6}, {5.4, 0.6}, {5.6, 0.6}, {5.6, 0.8},
-                                            {5.6, 1.}, {5.4, 1.},  {5.2, 1.},  {5.2, 0.8}};
+                                            {5.6, 1.},  {5.4, 1.},  {5.2, 1.},  {5.2, 0.8}};
         for (const Point<2> &corner : corners)
           cloud.append(corner, ParticleKind::solid, h);
         for (unsigned int i = 0; i < 8; ++i)
@@ -179,9 +179,9 @@ void test(const bool disturbed, const bool with_solid, const bool keep_volume)
     parts.step(0.02, MPI_COMM_WORLD);
     auto cells = whole.own_cells();
     std::sort(cells.begin(), cells.end());
-    same_cells = same_cells && cells == gather(parts.own_cells());
+    same_cells           = same_cells && cells == gather(parts.own_cells());
     const auto particles = whole.own_particles(), found = gather(parts.own_particles());
-    same_cells           = same_cells && particles.size() == found.size();
+    same_cells = same_cells && particles.size() == found.size();
     for (unsigned int i = 0; i < std::min(particles.size(), found.size()); ++i)
       for (unsigned int k = 0; k < dim + 2; ++k)
         largest_error = std::max(largest_error, std::abs(particles[i][k] - found[i][k]));
@@ -209,7 +209,8 @@ void test(const bool disturbed, const bool with_solid, const bool keep_volume)
   check(name + "particles were inserted", whole.cloud.next_number > n_at_first + 10);
   check(name + "and removed", whole.cloud.size() < whole.cloud.next_number - 5);
   check(name + "cells are new", whole.n_new > 5 && whole.mesh.n_cells() != n_cells_then);
-  check(name + "numbers of new cells' corners", Utilities::MPI::sum(parts.n_new, MPI_COMM_WORLD) >= whole.n_new);
+  check(name + "numbers of new cells' corners",
+        Utilities::MPI::sum(parts.n_new, MPI_COMM_WORLD) >= whole.n_new);
   if (with_solid)
     check(name + "contour facets were mended, the same number",
           whole.n_forced > 0 && Utilities::MPI::sum(parts.n_forced, MPI_COMM_WORLD) == whole.n_forced);

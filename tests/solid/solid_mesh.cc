@@ -235,8 +235,9 @@ void test_constrained_delaunay()
   ConstrainedDelaunay natural(points, edge);
   natural.insert({0, 1, 2, 3});
   check("an edge that is there is not counted", !natural.forced()[0]);
-  check_throws<RunError>("segments that cross", {"contours of two solids cross"},
-                         [&] { ConstrainedDelaunay(points, crossing).insert({0, 1, 2, 3}); });
+  check_throws<RunError>("segments that cross", {"contours of two solids cross"}, [&] {
+    ConstrainedDelaunay(points, crossing).insert({0, 1, 2, 3});
+  });
 }
 
 int main(int argc, char **argv)

@@ -64,7 +64,7 @@ namespace Lahar
       return owner[particle] == rank;
     }
 
-    /// The owner of a cell, by its corners: that of its first fluid particle.
+    /// The owner of a cell, by its corners: that of its first fluid particle (of its first one if none is fluid).
     unsigned int owner_of(const std::array<unsigned int, dim + 1> &cell) const;
 
     bool is_own(const std::array<unsigned int, dim + 1> &cell) const

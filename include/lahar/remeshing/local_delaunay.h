@@ -32,10 +32,9 @@ namespace Lahar
    * @return the simplices in no special order, their corners in canonical() order. Collective.
    */
   template <int dim>
-  std::vector<Simplex<dim>> local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own,
-                                           const double reach,
-                                           const std::function<bool(const Simplex<dim> &)> &matters,
-                                           const Migration<dim> &migration);
+  std::vector<Simplex<dim>>
+  local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own, const double reach,
+                 const std::function<bool(const Simplex<dim> &)> &matters, const Migration<dim> &migration);
 
   /**
    * The same of the constrained Delaunay triangulation with the given segments between particles that all ranks know.
@@ -45,12 +44,12 @@ namespace Lahar
    * @param forced see ConstrainedDelaunay::forced().
    * @throws RunError if two segments cross.
    */
-  std::vector<Simplex<2>>
-  local_constrained_delaunay(const ParticleCloud<2> &cloud, const std::vector<bool> &own, const double reach,
-                             const std::function<bool(const Simplex<2> &)> &matters,
-                             const Migration<2> &migration,
-                             const std::vector<std::array<unsigned int, 2>> &segments,
-                             std::vector<bool> &forced);
+  std::vector<Simplex<2>> local_constrained_delaunay(const ParticleCloud<2> &cloud,
+                                                     const std::vector<bool> &own, const double reach,
+                                                     const std::function<bool(const Simplex<2> &)> &matters,
+                                                     const Migration<2> &migration,
+                                                     const std::vector<std::array<unsigned int, 2>> &segments,
+                                                     std::vector<bool> &forced);
 } // namespace Lahar
 
 #endif

@@ -79,7 +79,7 @@ namespace Lahar
     std::vector<Cell> cells;
     std::vector<std::vector<unsigned int>> cells_of; ///< by old index
     std::vector<std::pair<unsigned int, unsigned int>>
-      seeds; ///< by new index: old index (twice) or the parents'
+      seeds;                             ///< by new index: old index (twice) or the parents'
     std::vector<unsigned int> new_index; ///< by old index; of a removed particle one beyond all others
   };
 } // namespace Lahar

@@ -23,10 +23,10 @@ namespace Lahar
    * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
    * get a particle in their middle.
    *
-   * The shortest of the short and the longest of the long edges come first, and each particle is changed once. As what
-   * happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that would change
-   * the same particle the shortest has its way, an edge is divided if it is the longest one at both of its ends, and so
-   * on with those that are left. So the result does not depend on the order of the edges, nor on the number of ranks.
+   * Short edges come in the order of their particles, the longest of the long edges first, and each particle is changed
+   * once. As what happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that
+   * would change the same particle the first one has its way, an edge is divided if it is the longest one at both of its
+   * ends, and so on with those that are left. So all ranks come to the same result together.
    */
   template <int dim>
   class ParticleSpacing
@@ -46,8 +46,6 @@ namespace Lahar
     /// What may become of a short edge.
     struct Removal
     {
-      double length; ///< of the edge over the spacing
-      Edge edge;
       unsigned int removed;
       std::vector<unsigned int> moved;  ///< the particle that takes the place of both, if one does
       std::vector<unsigned int> needed; ///< particles that must stay as they are
@@ -60,9 +58,10 @@ namespace Lahar
       std::vector<double> removed, merged;
     };
 
-    /// The removals that are possible of the @p short_edges, the shortest first. @param rank by particle, the higher
+    /// The removals that are possible of the @p short_edges, in their order. @param rank by particle, the higher
     /// ones stay. @param chains the free surface in the plane.
-    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud, const std::vector<Edge> &short_edges,
+    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud,
+                                         const std::vector<Edge> &short_edges,
                                          const std::vector<unsigned int> &rank, const SurfaceChain &chains,
                                          const Changes &changes) const;
 
@@ -76,9 +75,8 @@ namespace Lahar
                                       const std::vector<bool> &removed,
                                       const Migration<dim> &migration) const;
 
-    /// Append the particles in the middle of the @p edges.
-    void insert(const std::vector<Edge> &edges, const Migration<dim> &migration,
-                ParticleCloud<dim> &cloud) const;
+    /// Append the particles in the middle of the @p edges, which are sorted: the longest one's has the smallest number.
+    void insert(std::vector<Edge> &edges, const Migration<dim> &migration, ParticleCloud<dim> &cloud) const;
 
     double shortest = 0.6, longest = 1.5;
   };

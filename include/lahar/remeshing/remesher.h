@@ -27,8 +27,9 @@ namespace Lahar
     /// What a remeshing did.
     struct Report
     {
-      bool changed          = false; ///< the connectivity
-      unsigned int n_forced = 0; ///< this rank's facets of solids' contours that its Delaunay triangulation did not have
+      bool changed = false; ///< the connectivity
+      unsigned int n_forced =
+        0; ///< this rank's facets of solids' contours that its Delaunay triangulation did not have
       std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
     };
 

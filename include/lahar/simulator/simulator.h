@@ -138,7 +138,7 @@ namespace Lahar
 
     double time              = 0.;
     unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0, n_left = 0,
-                 n_cells = 0; ///< of the fluid, on all ranks
+                 n_cells  = 0; ///< of the fluid, on all ranks
     double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.,
            left_volume = 0.;
     typename Remesher<dim>::Report remeshing; ///< the last one
