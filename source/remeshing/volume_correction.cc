@@ -147,18 +147,25 @@ namespace Lahar
     const auto is_of_body = [&](const unsigned int i) {
       return i < cloud.size() && cloud.kind[i] == ParticleKind::fluid && has_cell[i];
     };
-    std::vector<double> change(cloud.size(), 0.), size(cloud.size(), 0.);
+    std::vector<double> n_particles(cloud.size(), 0.), change = n_particles, size = n_particles;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      n_particles[i] = is_of_body(i) && cloud.is_own(i) ? 1. : 0.;
+    n_particles = bodies.sum(n_particles, migration);
     for (const auto &[corners, volume] : find_changes(old_domain, mesh, cloud))
     {
-      unsigned int place = numbers::invalid_unsigned_int;
+      unsigned int place  = numbers::invalid_unsigned_int;
+      const auto consider = [&](const unsigned int i) {
+        if (is_of_body(i) &&
+            (place == numbers::invalid_unsigned_int ||
+             std::make_pair(-n_particles[i], i) < std::make_pair(-n_particles[place], place)))
+          place = i;
+      };
       for (const unsigned int i : corners)
-        if (is_of_body(i))
-          place = std::min(place, i);
-      for (const unsigned int i : corners)
-        if (place == numbers::invalid_unsigned_int)
+        consider(i);
+      if (place == numbers::invalid_unsigned_int)
+        for (const unsigned int i : corners)
           for (const unsigned int j : old_domain.old_neighbours(i))
-            if (is_of_body(j))
-              place = std::min(place, j);
+            consider(j);
       if (place != numbers::invalid_unsigned_int)
       {
         change[place] += volume;
