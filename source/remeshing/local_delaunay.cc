@@ -42,7 +42,7 @@ namespace Lahar
 
     /**
      * local_delaunay() with a @p triangulation of @p points, which are the cloud's and to which far ones are added.
-     * @param added points to use at first besides those in the box.
+     * @param used_anyway by particle: to be used at first besides those in the box.
      * @param growth by which more points are used each time that a simplex has stood.
      */
     template <int dim, typename Triangulation>

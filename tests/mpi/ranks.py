@@ -5,7 +5,7 @@ column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane wi
           barrier, in space with the iterative solver; linear and nonlinear tolerances are tight, so that rounding is all
           that differs. The pieces of a snapshot are the whole.
 rejected: the same where a step is given up and repeated with half its length.
-resume:   a checkpoint of two ranks is resumed on three and on one.
+resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
 faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
           out of memory the others do not wait for ever.
 
@@ -154,6 +154,23 @@ def resume():
         whole, parts = (new_case(parent, name, CASES["column"]) for name in ("whole", "parts"))
         run(whole, 1)
         check("resume: begun by 2 ranks", run(parts, 2, "--set", "End time=0.01").returncode == 0)
+        folder = os.path.join(parts, "out", "checkpoint")
+        pieces = [name for name in os.listdir(folder) if name.startswith("piece-")]
+        check("resume: the second rank has a piece", len(pieces) == 1 and pieces[0].endswith("-1-of-2"), pieces)
+        path = os.path.join(folder, pieces[0])
+        good = open(path, "rb").read()
+        for what, data, words in (("damaged", good[:-1] + bytes([good[-1] ^ 1]), "checksum is wrong"),
+                                  ("missing", None, "is not there")):
+            os.remove(path)
+            if data:
+                with open(path, "wb") as file:
+                    file.write(data)
+            result = run(parts, 3, "--resume", "--set", "End time=0.02")
+            check(f"resume: a {what} piece: status 2", result.returncode == 2, result.returncode, result.stderr)
+            check("resume: ... one message names it", len(re.findall("^lahar: ", result.stderr, re.M)) == 1 and
+                  pieces[0] in result.stderr and words in result.stderr, result.stderr)
+        with open(path, "wb") as file:
+            file.write(good)
         check("resume: continued by 3", run(parts, 3, "--resume", "--set", "End time=0.02").returncode == 0)
         result = run(parts, 1, "--resume")
         check("resume: ended by 1", result.returncode == 0, result.stdout, result.stderr)
