@@ -37,33 +37,40 @@ namespace Lahar
                            const std::vector<Point<dim>> &positions, const std::vector<unsigned int> &owners,
                            const std::vector<std::uint64_t> &keys)
   {
-    nodes_per_solid_cell             = new_nodes_per_solid_cell;
-    n_fluid_nodes                    = new_n_fluid_nodes;
-    const unsigned int n_nodes       = n_fluid_nodes + n_solid_nodes,
-                       n_solid_cells = solid_cells.empty() ? 0 : solid_cells.size() / nodes_per_solid_cell;
+    const unsigned int n_nodes       = new_n_fluid_nodes + n_solid_nodes,
+                       n_solid_cells = solid_cells.empty() ? 0
+                                                           : solid_cells.size() / new_nodes_per_solid_cell;
     Assert(positions.size() == n_nodes || (positions.empty() && n_solid_cells == 0),
            ExcDimensionMismatch(positions.size(), n_nodes));
-    ++n_reinits;
+    n_fluid_nodes = new_n_fluid_nodes;
 
     const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
                                           static_cast<unsigned int>(cells.size()), n_corners},
-                                         {solid_cells.data(), n_solid_cells, nodes_per_solid_cell}};
-    if (owners.empty())
-      node_partition.reinit(n_nodes, lists);
-    else
-      node_partition.reinit(owners, keys, lists);
+                                         {solid_cells.data(), n_solid_cells, new_nodes_per_solid_cell}};
+    const bool nodes_change           = owners.empty() ? node_partition.reinit(n_nodes, lists)
+                                                       : node_partition.reinit(owners, keys, lists);
     own_positions.resize(positions.empty() ? 0 : node_partition.n_own());
     set_positions(positions);
 
     const std::vector<unsigned int> flat_cells = node_partition.local_cells(0, lists[0]);
-    local_cells.resize(flat_cells.size() / n_corners);
-    for (unsigned int k = 0; k < local_cells.size(); ++k)
-      std::copy_n(flat_cells.begin() + k * n_corners, n_corners, local_cells[k].begin());
-    local_solid_cells = node_partition.local_cells(1, lists[1]);
+    std::vector<Cell> new_cells(flat_cells.size() / n_corners);
+    for (unsigned int k = 0; k < new_cells.size(); ++k)
+      std::copy_n(flat_cells.begin() + k * n_corners, n_corners, new_cells[k].begin());
+    std::vector<unsigned int> new_solid_cells = node_partition.local_cells(1, lists[1]);
+    constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
+    bool changed = n_patterns == 0 || nodes_change || new_nodes_per_solid_cell != nodes_per_solid_cell ||
+                   new_cells != local_cells || new_solid_cells != local_solid_cells;
+    for (unsigned int l = 0; l < constraints.size() && !changed; ++l)
+      changed = is_fluid(l) != (node_partition.nodes()[l] < n_fluid_nodes);
+    if (Utilities::MPI::max(changed ? 1U : 0U, node_partition.communicator()) == 0)
+      return;
+
+    ++n_patterns;
+    nodes_per_solid_cell = new_nodes_per_solid_cell;
+    local_cells          = std::move(new_cells);
+    local_solid_cells    = std::move(new_solid_cells);
     number_unknowns();
     make_matrices();
-
-    constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
     rhs = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();

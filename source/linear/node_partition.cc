@@ -11,7 +11,7 @@ namespace Lahar
 
 
 
-  void NodePartition::reinit(const unsigned int n_nodes, const std::vector<CellList> &lists)
+  bool NodePartition::reinit(const unsigned int n_nodes, const std::vector<CellList> &lists)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mpi_communicator);
     std::vector<unsigned int> owners;
@@ -21,18 +21,19 @@ namespace Lahar
       owners.push_back(static_cast<std::size_t>(i) * n_ranks / n_nodes);
       keys.push_back(i);
     }
-    reinit(owners, keys, lists);
+    return reinit(owners, keys, lists);
   }
 
 
 
-  void NodePartition::reinit(const std::vector<unsigned int> &owners, const std::vector<std::uint64_t> &keys,
+  bool NodePartition::reinit(const std::vector<unsigned int> &owners, const std::vector<std::uint64_t> &keys,
                              const std::vector<CellList> &lists)
   {
     AssertDimension(owners.size(), keys.size());
     Assert(std::is_sorted(keys.begin(), keys.end()), ExcMessage("The keys must ascend."));
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mpi_communicator),
                        rank    = Utilities::MPI::this_mpi_process(mpi_communicator);
+    const std::pair<unsigned int, unsigned int> old_counts(n_own_nodes, n_row_nodes);
     numbers_here.clear();
     for (unsigned int node = 0; node < owners.size(); ++node)
       if (owners[node] == rank)
@@ -43,23 +44,34 @@ namespace Lahar
     for (unsigned int l = 0; l < numbers_here.size(); ++l)
       local_numbers[numbers_here[l]] = l;
 
-    std::vector<unsigned int> copies, copy_owners;
-    std::vector<std::uint64_t> copy_keys;
-    for (unsigned int l = n_own_nodes; l < numbers_here.size(); ++l)
+    std::vector<unsigned int> new_owners, copies;
+    std::vector<std::uint64_t> new_keys;
+    for (unsigned int l = 0; l < numbers_here.size(); ++l)
     {
-      copies.push_back(l);
-      copy_owners.push_back(owners[numbers_here[l]]);
-      copy_keys.push_back(keys[numbers_here[l]]);
+      new_owners.push_back(owners[numbers_here[l]]);
+      new_keys.push_back(keys[numbers_here[l]]);
+      if (l >= n_own_nodes)
+        copies.push_back(l);
     }
+    const bool changed = old_counts != std::make_pair(n_own_nodes, n_row_nodes) ||
+                         new_owners != owners_here || new_keys != keys_here;
+    if (Utilities::MPI::max(changed ? 1U : 0U, mpi_communicator) == 0)
+      return false;
+    owners_here = std::move(new_owners);
+    keys_here   = std::move(new_keys);
+
     if (n_ranks > 1)
-      exchange.reinit(copies, copy_owners, copy_keys, [&](const std::uint64_t key) {
-        const auto place = std::lower_bound(keys.begin(), keys.end(), key);
-        AssertThrow(place != keys.end() && *place == key && owners[place - keys.begin()] == rank,
-                    ExcMessage("A rank knows a node whose owner does not."));
-        return local_numbers[place - keys.begin()];
-      });
+      exchange.reinit(copies, {owners_here.begin() + n_own_nodes, owners_here.end()},
+                      {keys_here.begin() + n_own_nodes, keys_here.end()}, [&](const std::uint64_t key) {
+                        const auto place = std::lower_bound(keys.begin(), keys.end(), key);
+                        AssertThrow(place != keys.end() && *place == key &&
+                                      owners[place - keys.begin()] == rank,
+                                    ExcMessage("A rank knows a node whose owner does not."));
+                        return local_numbers[place - keys.begin()];
+                      });
     n_all_nodes        = Utilities::MPI::sum(n_own_nodes, mpi_communicator);
     numbers_everywhere = count_before(std::vector<bool>(numbers_here.size(), true));
+    return true;
   }
 
 

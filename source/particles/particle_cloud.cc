@@ -128,12 +128,20 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleCloud<dim>::append(const Record &record)
+  void ParticleCloud<dim>::reinit(std::vector<Record> records)
   {
-    const std::uint64_t unchanged = next_number;
-    const unsigned int i          = append(Point<dim>(), ParticleKind::fluid, 0.);
-    set(i, record);
-    next_number = unchanged;
+    const auto number_of = [](const Record &record) { return record[record.size() - 2]; };
+    std::stable_sort(records.begin(), records.end(),
+                     [&](const Record &a, const Record &b) { return number_of(a) < number_of(b); });
+    records.erase(std::unique(records.begin(), records.end(),
+                              [&](const Record &a, const Record &b) { return number_of(a) == number_of(b); }),
+                  records.end());
+    ParticleCloud<dim> cloud;
+    for (const Record &record : records)
+      cloud.set(cloud.append(Point<dim>(), ParticleKind::fluid, 0.), record);
+    cloud.rank        = rank;
+    cloud.next_number = next_number;
+    *this             = std::move(cloud);
   }
 
 

@@ -208,16 +208,7 @@ namespace Lahar
       records.push_back(cloud.record(i));
       records.back().back() = new_owner[i];
     }
-    const auto number_of = [](const Record &record) { return record[record.size() - 2]; };
-    std::stable_sort(records.begin(), records.end(),
-                     [&](const Record &a, const Record &b) { return number_of(a) < number_of(b); });
-    ParticleCloud<dim> new_cloud;
-    new_cloud.rank        = rank;
-    new_cloud.next_number = cloud.next_number;
-    for (unsigned int i = 0; i < records.size(); ++i)
-      if (i == 0 || number_of(records[i]) != number_of(records[i - 1]))
-        new_cloud.append(records[i]);
-    cloud = std::move(new_cloud);
+    cloud.reinit(std::move(records));
 
     std::vector<Simplex<dim>> cells;
     for (const auto &[sender, parcel] : received)
@@ -234,7 +225,7 @@ namespace Lahar
 
 
   template <int dim>
-  void Migration<dim>::distribute(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
+  void Migration<dim>::distribute(ParticleCloud<dim> &cloud, const double distance,
                                   const unsigned int n_shared)
   {
     if (is_alone())
@@ -243,7 +234,8 @@ namespace Lahar
     cloud.rank                 = Utilities::MPI::this_mpi_process(mpi_communicator);
     for (unsigned int i = 0; i < cloud.size(); ++i)
       cloud.owner[i] = static_cast<std::size_t>(i) * n_ranks / cloud.size();
-    migrate(cloud, mesh, distance, n_shared);
+    FluidMesh<dim> no_mesh;
+    migrate(cloud, no_mesh, distance, n_shared);
   }
 
 

@@ -117,17 +117,7 @@ namespace Lahar
       records.push_back(particles.record(i));
       records.back().back() = n_ranks;
     }
-    const auto number_of = [](const Record &record) { return record[record.size() - 2]; };
-    std::stable_sort(records.begin(), records.end(),
-                     [&](const Record &a, const Record &b) { return number_of(a) < number_of(b); });
-
-    ParticleCloud<dim> cloud;
-    cloud.rank        = particles.rank;
-    cloud.next_number = particles.next_number;
-    for (unsigned int i = 0; i < records.size(); ++i)
-      if (i == 0 || number_of(records[i]) != number_of(records[i - 1]))
-        cloud.append(records[i]);
-    particles = cloud;
+    particles.reinit(std::move(records));
     std::vector<Simplex<dim>> cells(numbers.size() / (dim + 1));
     for (unsigned int k = 0; k < numbers.size(); ++k)
       cells[k / (dim + 1)][k % (dim + 1)] = particles.find(numbers[k]);

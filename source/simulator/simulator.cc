@@ -1,5 +1,4 @@
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/open_floor.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/utilities/stop_signal.h>
@@ -7,7 +6,6 @@
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -63,100 +61,6 @@ namespace Lahar
                                                  parameters.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
     postprocessors = Postprocessor<dim>::create_all(prm);
-  }
-
-
-
-  template <int dim>
-  void Simulator<dim>::initialize()
-  {
-    warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
-    solids.append_particles(mesh_size, particles);
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
-    prm.enter_subsection("Linear solver");
-    const bool solves_directly = prm.get("Type") == "direct";
-    prm.leave_subsection();
-    if (solves_directly && Utilities::MPI::n_mpi_processes(communicator) > 1)
-      warnings.push_back("Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; "
-                         "'iterative' is.");
-    const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
-    if (!warning.empty())
-      warnings.push_back(warning);
-    set_initial_velocities();
-    slip_condition.initialize(particles);
-    try
-    {
-      remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, fluid_mesh);
-    }
-    catch (const RunError &error)
-    {
-      throw InputError(std::string("Initial mesh: ") + error.what() + ".");
-    }
-    if (geometry.has_fluid() && fluid_mesh.n_cells() == 0)
-      throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
-                       ". Allowed: a mesh size well below the size of the fluid.");
-    domain_limit.check_initial(prm, particles);
-    for (const auto &postprocessor : postprocessors)
-      postprocessor->initialize(solids);
-    time = parameters.start_time;
-    migration.distribute(particles, fluid_mesh,
-                         remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator),
-                         solids.mesh().n_contour_nodes());
-    remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
-    initial_volume = volume = sum_of_ranks(fluid_mesh.volume(particles));
-  }
-
-
-
-  template <int dim>
-  void Simulator<dim>::set_initial_velocities()
-  {
-    FunctionParser<dim> function(dim);
-    try
-    {
-      const std::vector<std::string> components = split_list(initial_velocity, ';');
-      AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
-      function.initialize(dim == 2 ? "x,y" : "x,y,z", components, {{"pi", numbers::PI}});
-      for (unsigned int d = 0; d < dim; ++d)
-        function.value(Point<dim>(), d);
-    }
-    catch (const std::exception &)
-    {
-      prm.throw_wrong_value("Initial velocity",
-                            std::to_string(dim) + " functions of the coordinates separated by ';'");
-    }
-    for (unsigned int i = 0; i < particles.size(); ++i)
-      if (particles.kind[i] == ParticleKind::fluid)
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          particles.velocity[i][d] = function.value(particles.position[i], d);
-          if (!std::isfinite(particles.velocity[i][d]))
-            prm.throw_wrong_value("Initial velocity", "functions that are finite in the fluid");
-        }
-  }
-
-
-
-  template <int dim>
-  std::string Simulator<dim>::sizes() const
-  {
-    std::ostringstream text;
-    const auto &vertices          = fluid_mesh.particles();
-    const unsigned int n_vertices = count_on_ranks(
-      std::count_if(vertices.begin(), vertices.end(),
-                    [&](const unsigned int i) { return particles.is_own(i); }));
-    text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
-         << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
-         << "\nFluid cells      " << count_on_ranks(fluid_mesh.own_cells(particles).size())
-         << "\nUnknowns         " << (dim + 1) * n_vertices << "\nFluid volume     " << initial_volume
-         << (dim == 2 ? " m^2" : " m^3");
-    if (!solids.empty())
-      text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
-           << solids.mesh().n_cells();
-    for (const std::string &warning : warnings)
-      text << '\n' << warning;
-    return text.str();
   }
 
 
@@ -221,11 +125,17 @@ namespace Lahar
 
 
   template <int dim>
+  double Simulator<dim>::region_distance() const
+  {
+    return remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator);
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::migrate()
   {
-    migration.migrate(particles, fluid_mesh,
-                      remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator),
-                      solids.mesh().n_contour_nodes());
+    migration.migrate(particles, fluid_mesh, region_distance(), solids.mesh().n_contour_nodes());
   }
 
 

@@ -3,6 +3,9 @@
 
 #include <lahar/boundary/free_flight.h>
 #include <lahar/boundary/slip_condition.h>
+#include <lahar/remeshing/migration.h>
+
+#include <algorithm>
 
 #include "tests.h"
 
@@ -180,11 +183,65 @@ void test_free_flight()
   check("stops in front of the wall", cloud.position[1][1] > 0. && cloud.position[1][1] <= 0.011);
 }
 
-int main()
+/// Particles that slide from rank to rank along a floor and into a corner: each rank finds what one rank does.
+void test_ranks()
 {
+  const Walls<2> walls({{{{{0., 0.}, {4., 0.}}}, true}, {{{{4., 0.}, {4., 2.}}}, true}});
+  const SlipCondition<2> slip(walls);
+  constexpr double h = 0.1;
+  ParticleCloud<2> whole;
+  for (unsigned int j = 0; j < 5; ++j)
+    for (unsigned int i = 0; i < 30; ++i)
+      whole.append({h * i, h * j}, ParticleKind::fluid, h);
+  slip.initialize(whole);
+  ParticleCloud<2> part = whole;
+  Migration<2> migration(MPI_COMM_WORLD);
+  migration.distribute(part, 3. * h, 0);
+  FluidMesh<2> no_mesh;
+
+  const auto step = [&](ParticleCloud<2> &cloud) {
+    const std::vector<Point<2>> old_position = cloud.position;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+    {
+      cloud.velocity[i] = Point<2>(1.5, -0.3 * old_position[i][1] - 0.1);
+      cloud.position[i] += 0.05 * cloud.velocity[i];
+    }
+    slip.update(old_position, cloud);
+  };
+  bool same = true;
+  std::vector<unsigned int> n_in_contact;
+  for (unsigned int k = 0; k < 20; ++k)
+  {
+    step(whole);
+    step(part);
+    migration.migrate(part, no_mesh, 3. * h, 0);
+    for (unsigned int i = 0; i < part.size(); ++i)
+    {
+      const unsigned int j               = part.number[i];
+      const NodeConstraint<2> constraint = slip.constraint(i, part), expected = slip.constraint(j, whole);
+      same = same && part.position[i] == whole.position[j] && part.velocity[i] == whole.velocity[j] &&
+             part.slip_facets[i] == whole.slip_facets[j] && constraint.n_fixed == expected.n_fixed &&
+             constraint.frame == expected.frame;
+    }
+    n_in_contact.push_back(0);
+    for (unsigned int i = 0; i < part.size(); ++i)
+      n_in_contact.back() += part.is_own(i) && part.on_slip_wall(i);
+  }
+  check("ranks: positions, velocities and constraints of one", same);
+  Utilities::MPI::sum(n_in_contact, MPI_COMM_WORLD, n_in_contact);
+  check("ranks: ever more in contact", n_in_contact.front() == 30 && n_in_contact.back() > 60);
+  if (const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD); n_ranks > 1)
+    same = part.size() < whole.size();
+  check("ranks: each has some", same);
+}
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_walls();
   test_2d();
   test_3d();
   test_free_flight();
-  return n_failed;
+  test_ranks();
+  return n_failed > 0;
 }

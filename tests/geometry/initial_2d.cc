@@ -19,7 +19,7 @@ struct Case
   Walls<2> walls;
   FluidMesh<2> mesh;
 
-  Case(const Entries &entries, const double h)
+  Case(const Entries &entries, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
   {
     Parameters prm;
     InitialGeometry<2>::declare_parameters(prm);
@@ -32,7 +32,10 @@ struct Case
     const std::vector<bool> wet = geometry.create(h, SolidContour<2>({}, cloud), cloud, walls);
     Remesher<2> remesher;
     parse(remesher);
-    remesher.create_mesh(cloud, walls, {}, wet, mesh);
+    Migration<2> migration(communicator);
+    migration.distribute(cloud, remesher.region_distance(cloud, mesh, 0., communicator), 0);
+    remesher.create_mesh(cloud, walls, {}, wet, migration, mesh);
+    migration.migrate(cloud, mesh, remesher.region_distance(cloud, mesh, 0., communicator), 0);
   }
 
   double nearest_distance() const
@@ -132,8 +135,24 @@ void test_column(const Case &column, const double h)
   check("wall particles lie on the walls, fluid off them", on_walls && fluid_off_walls);
 }
 
-int main()
+/// Several ranks have the particles, the cells and the volume of one.
+void test_ranks(const std::string &name, const Entries &entries, const double h)
 {
+  const Case whole(entries, h), part(entries, h, MPI_COMM_WORLD);
+  const auto sum = [](const auto value) { return Utilities::MPI::sum(value, MPI_COMM_WORLD); };
+  bool same      = true;
+  for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})
+    same = same && sum(part.cloud.n_particles(kind)) == whole.cloud.n_particles(kind);
+  check(name + " on ranks: particles", same);
+  check(name + " on ranks: cells", sum(part.mesh.own_cells(part.cloud).size()) == whole.mesh.n_cells());
+  // the ranks' sums are in another order
+  check(name + " on ranks: volume", sum(part.mesh.volume(part.cloud)) / whole.mesh.volume(whole.cloud) - 1.,
+        1e-12);
+}
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_polygons();
 
   const std::string walls = "0, 0.4 : 0, 0 : 0.5, 0";
@@ -221,5 +240,9 @@ int main()
   check_error("missing file", {{"Mesh file", "missing.msh"}, {"Fluid groups", "fluid"}},
               {"missing.msh", "does not exist"});
   check_error("directory for a file", {{"Mesh file", "/"}, {"Fluid groups", "fluid"}}, {"'/'", "directory"});
-  return n_failed;
+  test_ranks("dam and obstacle",
+             {{"Fluid boxes", "0, 0 : 1, 2"},
+              {"No-slip walls", "0, 3 : 0, 0 : 4, 0; 2, 0 : 2, 0.5 : 2.2, 0.5 : 2.2, 0"}},
+             0.05);
+  return n_failed > 0;
 }

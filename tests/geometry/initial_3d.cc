@@ -17,7 +17,7 @@ struct Case
   Walls<3> walls;
   FluidMesh<3> mesh;
 
-  Case(const Entries &entries, const double h)
+  Case(const Entries &entries, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
   {
     Parameters prm;
     InitialGeometry<3>::declare_parameters(prm);
@@ -30,7 +30,10 @@ struct Case
     const std::vector<bool> wet = geometry.create(h, SolidContour<3>({}, cloud), cloud, walls);
     Remesher<3> remesher;
     parse(remesher);
-    remesher.create_mesh(cloud, walls, {}, wet, mesh);
+    Migration<3> migration(communicator);
+    migration.distribute(cloud, remesher.region_distance(cloud, mesh, 0., communicator), 0);
+    remesher.create_mesh(cloud, walls, {}, wet, migration, mesh);
+    migration.migrate(cloud, mesh, remesher.region_distance(cloud, mesh, 0., communicator), 0);
   }
 };
 
@@ -96,8 +99,24 @@ void test_polygon()
   });
 }
 
-int main()
+/// Several ranks have the particles, the cells and the volume of one.
+void test_ranks(const std::string &name, const Entries &entries, const double h)
 {
+  const Case whole(entries, h), part(entries, h, MPI_COMM_WORLD);
+  const auto sum = [](const auto value) { return Utilities::MPI::sum(value, MPI_COMM_WORLD); };
+  bool same      = true;
+  for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})
+    same = same && sum(part.cloud.n_particles(kind)) == whole.cloud.n_particles(kind);
+  check(name + " on ranks: particles", same);
+  check(name + " on ranks: cells", sum(part.mesh.own_cells(part.cloud).size()) == whole.mesh.n_cells());
+  // the ranks' sums are in another order
+  check(name + " on ranks: volume", sum(part.mesh.volume(part.cloud)) / whole.mesh.volume(whole.cloud) - 1.,
+        1e-12);
+}
+
+int main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_polygon();
 
   test_body("box", {{"Fluid boxes", "-0.5, 0, 0 : 0.5, 0.8, 0.6"}}, 0.48, 1e-10, 0.1);
@@ -155,5 +174,10 @@ int main()
               {{"Fluid boxes", "0, 0, 0 : 1, 1, 1"}, {"Fluid cones", "0, 0, 0 : 0.5, 0.5, 0.5"}},
               {"overlaps fluid body", "Fluid cones"});
   check_error("body below the mesh size", {{"Fluid boxes", "0, 0, 0 : 1, 1, 0.1"}}, {"Mesh size", "0.1"});
-  return n_failed;
+  test_ranks("cone and box",
+             {{"Fluid cones", "0, 0, 0 : 0.5, 0.3, 0.6"},
+              {"Fluid boxes", "1, -0.5, 0 : 1.5, 0.5, 0.5"},
+              {"No-slip walls", floor_wall}},
+             0.06);
+  return n_failed > 0;
 }

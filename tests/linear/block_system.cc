@@ -151,8 +151,15 @@ void test()
   for (const unsigned int node : system.partition().nodes())
     constraints.push_back(example.constraints[node]);
   system.set_constraints(constraints);
-  for (unsigned int repetition = 0; repetition < 2; ++repetition)
+  for (unsigned int repetition = 0; repetition < 3; ++repetition)
   {
+    if (repetition == 2) // the same cells again: the matrices stay, the constraints do not
+    {
+      const double *values = system.values(0, 0);
+      system.reinit(example.n_nodes, example.cells, 0, {}, 0, example.points);
+      check(name + "the matrices stay", system.pattern_number() == 1 && system.values(0, 0) == values);
+      system.set_constraints(constraints);
+    }
     example.add_to(system);
     double error = 0., rhs_error = 0., momentum_error = 0., diagonal = 1e10;
     const Vector<double> system_rhs = all_entries<dim>(system.right_hand_side());
@@ -271,6 +278,10 @@ void test()
         check(name + package + ": the other stays as it is", solution.block(1 - b).mean_value() - 17., 1e-12);
       }
   }
+
+  const std::vector<Simplex<dim>> fewer(example.cells.begin(), example.cells.end() - 1);
+  system.reinit(example.n_nodes, fewer, 0, {}, 0, example.points);
+  check(name + "other cells, other matrices", system.pattern_number() == 2);
 }
 
 int main(int argc, char **argv)

@@ -41,8 +41,9 @@ std::unique_ptr<FluidLaw> bingham(const double mu, const double tau_0, const dou
                               {"Regularization parameter", to_text(m)}});
 }
 
-int main()
+int main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const double mu = 0.5, tau_0 = 120.;
   double value_error = 0., derivative_error = 0., limit_error = 0., plateau_error = 0.;
   bool monotone = true, yields_once = true, falls = true;

@@ -1,4 +1,4 @@
-// Test the particle cloud: append, append_midpoint and remove keep all arrays consistent.
+// Test the particle cloud: append, append_midpoint and remove keep all arrays consistent; records carry all of a particle.
 
 #include <deal.II/base/numbers.h>
 
@@ -77,6 +77,27 @@ void test()
   }
   check("remove keeps the order of the others", kept_order && cloud.size() == 4);
   check("remove keeps their state", same && is_consistent());
+
+  // The first of two records of a number counts; order by number.
+  ParticleCloud<dim> copy;
+  copy.rank        = 3;
+  copy.next_number = 99;
+  std::vector<typename ParticleCloud<dim>::Record> records;
+  for (const unsigned int i : {7, 2, 5, 0})
+    records.push_back(before.record(i));
+  for (const unsigned int i : {5, 2})
+  {
+    records.push_back(before.record(i));
+    records.back()[0] = 1e3;
+  }
+  copy.reinit(records);
+  same                           = copy.size() == 4 && copy.rank == 3 && copy.next_number == 99;
+  const unsigned int expected[4] = {0, 2, 5, 7};
+  for (unsigned int k = 0; k < 4 && same; ++k)
+    same = copy.number[k] == expected[k] && copy.record(k) == before.record(expected[k]) &&
+           copy.find(expected[k]) == k;
+  check("records make a cloud", same && copy.find(3) == numbers::invalid_unsigned_int);
+
   cloud.remove(std::vector<bool>(4, true));
   check("remove all", cloud.size() == 0 && is_consistent());
 }

@@ -146,9 +146,8 @@ void test(const Cloud<dim> &cloud)
   ParticleCloud<dim> particles;
   for (unsigned int i = 0; i < points.size(); ++i)
     particles.append(points[i], is_fluid(i) ? ParticleKind::fluid : ParticleKind::wall, h);
-  FluidMesh<dim> no_mesh;
   Migration<dim> migration(MPI_COMM_WORLD);
-  migration.distribute(particles, no_mesh, 4. * alpha * h, 0);
+  migration.distribute(particles, 4. * alpha * h, 0);
   std::vector<bool> own;
   for (unsigned int i = 0; i < particles.size(); ++i)
     own.push_back(particles.is_own(i) && particles.kind[i] == ParticleKind::fluid);

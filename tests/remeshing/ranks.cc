@@ -68,8 +68,10 @@ struct Fluid
       }
     if constexpr (dim == 2)
       floor.push_back({{{{9., 0.}, {-1., 0.}}}});
-    remesher.create_mesh(cloud, Walls<dim>(floor), contour, std::vector<bool>(cloud.size(), true), mesh);
-    migration.distribute(cloud, mesh, distance(communicator), n_contour);
+    const std::vector<bool> wet(cloud.size(), true);
+    migration.distribute(cloud, distance(communicator), n_contour);
+    remesher.create_mesh(cloud, Walls<dim>(floor), contour, wet, migration, mesh);
+    migration.migrate(cloud, mesh, distance(communicator), n_contour);
   }
 
   double distance(const MPI_Comm &communicator) const
@@ -171,6 +173,9 @@ void test(const bool disturbed, const bool with_solid, const bool keep_volume)
     parts(MPI_COMM_WORLD, disturbed, with_solid, keep_volume);
   const std::uint64_t n_at_first  = whole.cloud.next_number;
   const unsigned int n_cells_then = whole.mesh.n_cells();
+  auto first_cells                = whole.own_cells();
+  std::sort(first_cells.begin(), first_cells.end());
+  check(name + "the same first cells", first_cells == gather(parts.own_cells()));
   bool same_cells = true, knows_around = true;
   double largest_error = 0.;
   for (unsigned int step = 0; step < 12; ++step)

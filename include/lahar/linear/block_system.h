@@ -56,7 +56,8 @@ namespace Lahar
     /**
      * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
      * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own; solids
-     * need the nodes' @p positions. Collective.
+     * need the nodes' @p positions. Where, on all ranks, the same cells join the same nodes as before, the matrices
+     * stay. Collective.
      * @param owners, @p keys see NodePartition::reinit(); without owners all ranks have the whole mesh, and an equal
      * share of the nodes' numbers each.
      */
@@ -174,10 +175,10 @@ namespace Lahar
       return has_solids() ? all_graph : pressure_graph;
     }
 
-    /// Counts the calls of reinit(): solvers keep what belongs to one sparsity pattern.
+    /// Counts the changes of the matrices' pattern: solvers keep what belongs to one.
     unsigned int pattern_number() const
     {
-      return n_reinits;
+      return n_patterns;
     }
 
     const TrilinosWrappers::BlockSparseMatrix &matrix() const
@@ -243,7 +244,7 @@ namespace Lahar
     NodalGraph pressure_graph, all_graph; ///< the latter with solids only
     Places places, velocity_places;       ///< of node J in the row of node I of the two graphs, by cell
     std::vector<unsigned short> solid_places;
-    unsigned int n_reinits = 0;
+    unsigned int n_patterns = 0;
 
     std::vector<NodeConstraint<dim>> constraints; ///< by local number
 

@@ -35,13 +35,14 @@ namespace Lahar
      * @param owners rank of each node that this rank has heard of.
      * @param keys what identifies the node on all ranks that have heard of it, ascending.
      * @param lists the cells, by numbers of nodes: at least all those with an own node, and those with a node of these.
+     * @return whether on any rank the local numbers stand for other nodes than before.
      */
-    void reinit(const std::vector<unsigned int> &owners, const std::vector<std::uint64_t> &keys,
+    bool reinit(const std::vector<unsigned int> &owners, const std::vector<std::uint64_t> &keys,
                 const std::vector<CellList> &lists);
 
     /// Share out @p n_nodes nodes of which all ranks have heard by the same numbers: each has an equal share of the
-    /// numbers. Collective.
-    void reinit(const unsigned int n_nodes, const std::vector<CellList> &lists);
+    /// numbers. Collective. @return as above.
+    bool reinit(const unsigned int n_nodes, const std::vector<CellList> &lists);
 
     const MPI_Comm &communicator() const
     {
@@ -114,6 +115,8 @@ namespace Lahar
     MPI_Comm mpi_communicator;
     unsigned int n_own_nodes = 0, n_row_nodes = 0, n_all_nodes = 0;
     std::vector<unsigned int> numbers_here, numbers_everywhere, local_numbers;
+    std::vector<unsigned int> owners_here; ///< by local number
+    std::vector<std::uint64_t> keys_here;  ///< by local number
     std::vector<std::vector<unsigned int>> known_cells;
     HaloExchange exchange;
   };

@@ -97,8 +97,9 @@ namespace Lahar
     /// Make a particle what the record says.
     void set(const unsigned int particle, const Record &record);
 
-    /// Append the particle of a record.
-    void append(const Record &record);
+    /// Replace all particles by those of @p records, which come in any order; of those with the same number the first
+    /// one counts. Rank and next number stay.
+    void reinit(std::vector<Record> records);
 
     /// Index of the particle with a number; numbers::invalid_unsigned_int if it is not here.
     unsigned int find(const std::uint64_t particle_number) const;

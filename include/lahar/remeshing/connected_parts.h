@@ -37,8 +37,8 @@ namespace Lahar
 
   private:
     boost::disjoint_sets_with_storage<> sets;
-    std::vector<double> label;    ///< by particle
-    std::vector<bool> is_foreign; ///< by particle: whether its set has particles of other ranks
+    std::vector<double> label;   ///< by particle
+    std::vector<bool> is_shared; ///< by particle: whether other ranks may know particles of its set
   };
 } // namespace Lahar
 

@@ -47,9 +47,8 @@ namespace Lahar
     void migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
                  const unsigned int n_shared);
 
-    /// Keep of a cloud and a mesh that all ranks have what belongs to this one.
-    void distribute(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                    const unsigned int n_shared);
+    /// Keep of a cloud that all ranks have what belongs to this one.
+    void distribute(ParticleCloud<dim> &cloud, const double distance, const unsigned int n_shared);
 
     /// Follow a change of the particles.
     void reinit(const ParticleCloud<dim> &cloud);

@@ -44,10 +44,24 @@ namespace Lahar
     double region_distance(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
                            const double longest_other_edge, const MPI_Comm &communicator) const;
 
-    /// The first mesh of a whole cloud: the simplices of @p wet particles that the plain alpha shape accepts.
+    /**
+     * The first mesh: the simplices of wet particles that the plain alpha shape accepts. Collective; @p migration has
+     * brought the particles to where they belong, with the region_distance() of an empty mesh. Each rank has its own
+     * cells then; Migration::migrate() tells it of the others.
+     *
+     * @param wet by the particles' numbers.
+     */
     void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                      const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
-                     FluidMesh<dim> &mesh) const;
+                     const Migration<dim> &migration, FluidMesh<dim> &mesh) const;
+
+    /// The same on one rank.
+    void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                     const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
+                     FluidMesh<dim> &mesh) const
+    {
+      create_mesh(cloud, walls, solid_facets, wet, Migration<dim>(), mesh);
+    }
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective;

@@ -1,7 +1,6 @@
 #ifndef lahar_simulator_simulator_h
 #define lahar_simulator_simulator_h
 
-#include <deal.II/base/function_parser.h>
 #include <deal.II/base/timer.h>
 
 #include <lahar/boundary/slip_condition.h>
@@ -82,6 +81,8 @@ namespace Lahar
 
     /// @throws RunError if the solids are not the same on all ranks.
     void check_ranks() const;
+    /// See Remesher::region_distance().
+    double region_distance() const;
     /// Bring particles and mesh to where they belong.
     void migrate();
     /// Sums over the ranks.
