@@ -3,6 +3,18 @@ import os
 
 failed = []
 
+# One thread a rank; Open MPI may run as root, without a remote shell, and with more ranks than cores.
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_plm_rsh_agent="")
+
+
+def on_ranks(command, mpiexec, n_ranks):
+    """The command on several ranks, with the environment for it; on one rank without MPI's launcher."""
+    if n_ranks == 1:
+        return command, ENVIRONMENT
+    return [mpiexec, "-np", str(n_ranks), *command], dict(ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1")
+
 
 def check(what, condition, *details):
     """Print whether the condition holds, and the details if not; failed keeps what does not."""

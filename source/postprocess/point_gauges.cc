@@ -3,7 +3,6 @@
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
-#include <cstdint>
 #include <limits>
 
 namespace Lahar
@@ -43,14 +42,15 @@ namespace Lahar
   template <int dim>
   void PointGauges<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
-    constexpr std::uint64_t nowhere = std::numeric_limits<std::uint64_t>::max();
-    const unsigned int n_ranks      = Utilities::MPI::n_mpi_processes(snapshot.communicator());
+    constexpr double nowhere   = std::numeric_limits<double>::max();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(snapshot.communicator());
     for (const auto &[name, place] : points)
     {
       const Point<dim> &point = place[0];
       double pressure         = 0.;
       Tensor<1, dim> velocity;
-      std::uint64_t first_corner = nowhere; // of the first cell that holds the point
+      // Of the first cell that holds the point, as a double: deal.II 9.4 reduces unsigned 64-bit integers as signed ones.
+      double first_corner = nowhere;
       for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
       {
         if (!snapshot.cloud.is_own(cell))
@@ -90,10 +90,10 @@ namespace Lahar
       }
 
       // A point on a face lies in cells of several ranks.
-      const std::uint64_t first_of_all = Utilities::MPI::min(first_corner, snapshot.communicator());
-      const unsigned int rank          = Utilities::MPI::this_mpi_process(snapshot.communicator()),
-                         first_rank    = Utilities::MPI::min(first_corner == first_of_all ? rank
-                                                                                          : rank + n_ranks,
+      const double first_of_all     = Utilities::MPI::min(first_corner, snapshot.communicator());
+      const unsigned int rank       = Utilities::MPI::this_mpi_process(snapshot.communicator()),
+                         first_rank = Utilities::MPI::min(first_corner == first_of_all ? rank
+                                                                                       : rank + n_ranks,
                                                           snapshot.communicator());
       if (rank != first_rank)
       {

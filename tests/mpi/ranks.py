@@ -11,6 +11,7 @@ faults:   wrong input and failed runs end all ranks with the status of one rank 
 
 Usage: ranks.py GROUP LAHAR MPIEXEC
 """
+import math
 import os
 import re
 import subprocess
@@ -24,7 +25,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import numpy as np  # noqa: E402
 
 from lahar_output import read_pvd, read_vtu  # noqa: E402
-from program_test import barrier, check, failed, new_case  # noqa: E402
+from program_test import barrier, check, failed, new_case, on_ranks  # noqa: E402
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
 
@@ -36,6 +37,14 @@ set Mesh size        = 0.015
 subsection Geometry
   set Fluid boxes   = 0, 0 : 0.146, 0.292
   set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
+end
+subsection Postprocess
+  subsection Point gauges
+    set Points = inside: 0.05, 0.1; middle: 0.073, 0.146; foot: 0.01, 0.003; dry: 0.4, 0.3
+  end
+  subsection Wall forces
+    set Boxes = floor: 0, -0.001 : 0.5, 0.001
+  end
 end
 """
 
@@ -59,7 +68,13 @@ subsection Linear solver
 end
 """
 
-BARRIER = COLUMN + barrier(0.16, 0.172)
+BARRIER = COLUMN + barrier(0.16, 0.172) + """
+subsection Postprocess
+  subsection Solid points
+    set Points = tip: 0.16, 0.08
+  end
+end
+"""
 
 SPACE = """
 set Dimension        = 3
@@ -70,6 +85,14 @@ set Mesh size        = 0.02
 subsection Geometry
   set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, 0.15
   set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
+end
+subsection Postprocess
+  subsection Point gauges
+    set Points = middle: 0.05, 0.05, 0.075; foot: 0.01, 0.09, 0.003; dry: 0.2, 0.2, 0.2
+  end
+  subsection Wall forces
+    set Boxes = floor: -0.2, -0.2, -0.001 : 0.3, 0.3, 0.001
+  end
 end
 """
 
@@ -88,12 +111,9 @@ CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N
 
 def run(directory, n_ranks, *arguments, program=None):
     """Run case.prm, by hand-made mpiexec arguments if there is a program."""
-    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
-                       OMPI_MCA_plm_rsh_agent="", OMPI_MCA_mpi_yield_when_idle="1")
-    program = program or [LAHAR, *arguments, "case.prm"]
-    return subprocess.run([MPIEXEC, "-np", str(n_ranks), *program], cwd=directory, env=environment,
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=400)
+    command, environment = on_ranks(program or [LAHAR, *arguments, "case.prm"], MPIEXEC, n_ranks)
+    return subprocess.run(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, timeout=400)
 
 
 def read_statistics(directory):
@@ -103,17 +123,23 @@ def read_statistics(directory):
     return {name: [row[i] for row in rows] for i, name in enumerate(columns)}
 
 
+def largest_difference(expected, found):
+    """Of two columns; where one has a number and the other one none, they differ."""
+    return max(float(math.isnan(a) != math.isnan(b)) if math.isnan(a) or math.isnan(b) else abs(a - b)
+               for a, b in zip(expected, found))
+
+
 def compare(what, expected, found, tolerance=1e-6):
     check(what + ": the same columns and steps", list(expected) == list(found) and
           len(expected["Time (s)"]) == len(found["Time (s)"]) > 5)
     worst, where = 0., ""
     for name, values in expected.items():
         if name not in CONVERGENCE and not name.startswith("Volume change"):
-            scale = max(map(abs, values)) or 1.
-            error = max(abs(a - b) for a, b in zip(values, found[name])) / scale
+            scale = max((abs(value) for value in values if not math.isnan(value)), default=1.) or 1.
+            error = largest_difference(values, found[name]) / scale
             worst, where = max((worst, where), (error, name))
     for name in ("Volume change by solver", "Volume change by remeshing"):  # relative already
-        error = max(abs(a - b) for a, b in zip(expected[name], found[name]))
+        error = largest_difference(expected[name], found[name])
         worst, where = max((worst, where), (error, name))
     check(what + ": the same values", worst <= tolerance, f"{where} differs by {worst}")
 
@@ -141,6 +167,8 @@ def same_on_all(name):
             results[n_ranks] = read_statistics(directory)
         compare(f"{name}: 2 ranks and 1", results[1], results[2])
         compare(f"{name}: 3 ranks and 1", results[1], results[3])
+        gauges = [values[-1] for column, values in results[1].items() if column.endswith(" pressure (Pa)")]
+        check(f"{name}: gauges in the fluid and outside", 0 < sum(map(math.isnan, gauges)) < len(gauges), gauges)
         if name == "rejected":
             check("rejected: steps were repeated", results[1]["Rejected steps"][-1] > 0)
         if name != "space":

@@ -2,7 +2,7 @@
 """Run a rough case of this folder: it must reach its end, with status 0 and nothing on stderr, with finite numbers in
 the statistics, and solver and remeshing may change the volume by 3 % at most.
 
-Usage: rough.py LAHAR CASE.prm
+Usage: rough.py LAHAR CASE.prm [MPIEXEC RANKS]
 """
 import math
 import os
@@ -11,12 +11,16 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from program_test import on_ranks
+
 lahar, case = [os.path.abspath(path) for path in sys.argv[1:3]]
+mpiexec, n_ranks = sys.argv[3] if len(sys.argv) > 3 else "", int(sys.argv[4]) if len(sys.argv) > 4 else 1
 
 with tempfile.TemporaryDirectory() as directory:
-    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
-    process = subprocess.run([lahar, "--set", "Output directory=out", case], cwd=directory, env=environment,
-                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    command, environment = on_ranks([lahar, "--set", "Output directory=out", case], mpiexec, n_ranks)
+    process = subprocess.run(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if process.returncode != 0 or process.stderr:
         sys.exit("status %s: %s" % (process.returncode, process.stderr))
     with open(os.path.join(directory, "out", "statistics")) as file:

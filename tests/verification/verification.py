@@ -16,8 +16,10 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "prm" / "verification"
 sys.path.insert(0, str(ROOT / "contrib" / "plot"))
+sys.path.insert(0, str(ROOT / "tests"))
 
 from lahar_output import OutputError, read_pvd, read_statistics, read_vtu  # noqa: E402
+from program_test import on_ranks  # noqa: E402
 
 
 class CheckError(Exception):
@@ -30,6 +32,8 @@ def parse_arguments(description):
     parser.add_argument("--output", type=pathlib.Path, required=True, help="directory for the runs")
     parser.add_argument("--set", action="append", default=[], metavar="ENTRY=VALUE",
                         help="passed on to lahar: other meshes and time steps than the case's")
+    parser.add_argument("--ranks", type=int, default=1, help="number of ranks")
+    parser.add_argument("--mpiexec", default="mpiexec", help="starts several ranks")
     return parser.parse_args()
 
 
@@ -41,6 +45,7 @@ class Check:
         self.lahar = arguments.lahar.resolve()
         self.output = arguments.output
         self.overrides = arguments.set
+        self.n_ranks, self.mpiexec = arguments.ranks, arguments.mpiexec
         self.misses = []
 
     def run(self, prm, *settings, resume=False):
@@ -53,9 +58,11 @@ class Check:
         command = [str(self.lahar), *(["--resume"] if resume else []), "--set", f"Output directory={directory}"]
         for override in [*settings, *self.overrides]:
             command += ["--set", override]
+        command, environment = on_ranks([*command, str(CASES / prm)], self.mpiexec, self.n_ranks)
         start = time.monotonic()
         with open(directory / "screen.txt", "w") as screen:
-            status = subprocess.run(command + [str(CASES / prm)], stdout=screen, stderr=subprocess.STDOUT).returncode
+            status = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=screen,
+                                    stderr=subprocess.STDOUT).returncode
         print(f"{prm}: {time.monotonic() - start:.1f} s")
         if status != 0:
             lines = (directory / "screen.txt").read_text().strip().splitlines()
