@@ -2,41 +2,18 @@
 // particle inside a wall; the polygon functions; and the errors of wrong geometries.
 
 #include <lahar/geometry/gmsh_file.h>
-#include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
-#include "tests.h"
+#include "initial_case.h"
 
 #include <fstream>
 
 using namespace Tests;
 
-struct Case
+struct Case : InitialCase<2>
 {
-  ParticleCloud<2> cloud;
-  Walls<2> walls;
-  FluidMesh<2> mesh;
-
-  Case(const Entries &entries, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
-  {
-    Parameters prm;
-    InitialGeometry<2>::declare_parameters(prm);
-    prm.enter_subsection("Geometry");
-    for (const auto &[entry, value] : entries)
-      prm.set(entry, value);
-    prm.leave_subsection();
-    InitialGeometry<2> geometry;
-    geometry.parse_parameters(prm, false);
-    const std::vector<bool> wet = geometry.create(h, SolidContour<2>({}, cloud), cloud, walls);
-    Remesher<2> remesher;
-    parse(remesher);
-    Migration<2> migration(communicator);
-    migration.distribute(cloud, remesher.region_distance(cloud, mesh, 0., communicator), 0);
-    remesher.create_mesh(cloud, walls, {}, wet, migration, mesh);
-    migration.migrate(cloud, mesh, remesher.region_distance(cloud, mesh, 0., communicator), 0);
-  }
+  using InitialCase::InitialCase;
 
   double nearest_distance() const
   {
@@ -135,21 +112,6 @@ void test_column(const Case &column, const double h)
   check("wall particles lie on the walls, fluid off them", on_walls && fluid_off_walls);
 }
 
-/// Several ranks have the particles, the cells and the volume of one.
-void test_ranks(const std::string &name, const Entries &entries, const double h)
-{
-  const Case whole(entries, h), part(entries, h, MPI_COMM_WORLD);
-  const auto sum = [](const auto value) { return Utilities::MPI::sum(value, MPI_COMM_WORLD); };
-  bool same      = true;
-  for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})
-    same = same && sum(part.cloud.n_particles(kind)) == whole.cloud.n_particles(kind);
-  check(name + " on ranks: particles", same);
-  check(name + " on ranks: cells", sum(part.mesh.own_cells(part.cloud).size()) == whole.mesh.n_cells());
-  // the ranks' sums are in another order
-  check(name + " on ranks: volume", sum(part.mesh.volume(part.cloud)) / whole.mesh.volume(whole.cloud) - 1.,
-        1e-12);
-}
-
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -240,9 +202,9 @@ int main(int argc, char **argv)
   check_error("missing file", {{"Mesh file", "missing.msh"}, {"Fluid groups", "fluid"}},
               {"missing.msh", "does not exist"});
   check_error("directory for a file", {{"Mesh file", "/"}, {"Fluid groups", "fluid"}}, {"'/'", "directory"});
-  test_ranks("dam and obstacle",
-             {{"Fluid boxes", "0, 0 : 1, 2"},
-              {"No-slip walls", "0, 3 : 0, 0 : 4, 0; 2, 0 : 2, 0.5 : 2.2, 0.5 : 2.2, 0"}},
-             0.05);
+  test_ranks<2>("dam and obstacle",
+                {{"Fluid boxes", "0, 0 : 1, 2"},
+                 {"No-slip walls", "0, 3 : 0, 0 : 4, 0; 2, 0 : 2, 0.5 : 2.2, 0.5 : 2.2, 0"}},
+                0.05);
   return n_failed > 0;
 }

@@ -1,41 +1,15 @@
 // Test the initial particles and walls in space: volumes, spacing and shape of the cells of boxes, wedges, cones and
 // cylinders on a floor; plane polygons; and the errors of wrong geometries.
 
-#include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/plane_polygon.h>
 #include <lahar/geometry/point_set.h>
-#include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
-#include "tests.h"
+#include "initial_case.h"
 
 using namespace Tests;
 
-struct Case
-{
-  ParticleCloud<3> cloud;
-  Walls<3> walls;
-  FluidMesh<3> mesh;
-
-  Case(const Entries &entries, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
-  {
-    Parameters prm;
-    InitialGeometry<3>::declare_parameters(prm);
-    prm.enter_subsection("Geometry");
-    for (const auto &[entry, value] : entries)
-      prm.set(entry, value);
-    prm.leave_subsection();
-    InitialGeometry<3> geometry;
-    geometry.parse_parameters(prm, false);
-    const std::vector<bool> wet = geometry.create(h, SolidContour<3>({}, cloud), cloud, walls);
-    Remesher<3> remesher;
-    parse(remesher);
-    Migration<3> migration(communicator);
-    migration.distribute(cloud, remesher.region_distance(cloud, mesh, 0., communicator), 0);
-    remesher.create_mesh(cloud, walls, {}, wet, migration, mesh);
-    migration.migrate(cloud, mesh, remesher.region_distance(cloud, mesh, 0., communicator), 0);
-  }
-};
+using Case = InitialCase<3>;
 
 const std::string floor_wall = "-2, -2, 0 : 2, -2, 0 : 2, 2, 0 : -2, 2, 0";
 
@@ -99,21 +73,6 @@ void test_polygon()
   });
 }
 
-/// Several ranks have the particles, the cells and the volume of one.
-void test_ranks(const std::string &name, const Entries &entries, const double h)
-{
-  const Case whole(entries, h), part(entries, h, MPI_COMM_WORLD);
-  const auto sum = [](const auto value) { return Utilities::MPI::sum(value, MPI_COMM_WORLD); };
-  bool same      = true;
-  for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})
-    same = same && sum(part.cloud.n_particles(kind)) == whole.cloud.n_particles(kind);
-  check(name + " on ranks: particles", same);
-  check(name + " on ranks: cells", sum(part.mesh.own_cells(part.cloud).size()) == whole.mesh.n_cells());
-  // the ranks' sums are in another order
-  check(name + " on ranks: volume", sum(part.mesh.volume(part.cloud)) / whole.mesh.volume(whole.cloud) - 1.,
-        1e-12);
-}
-
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -174,10 +133,10 @@ int main(int argc, char **argv)
               {{"Fluid boxes", "0, 0, 0 : 1, 1, 1"}, {"Fluid cones", "0, 0, 0 : 0.5, 0.5, 0.5"}},
               {"overlaps fluid body", "Fluid cones"});
   check_error("body below the mesh size", {{"Fluid boxes", "0, 0, 0 : 1, 1, 0.1"}}, {"Mesh size", "0.1"});
-  test_ranks("cone and box",
-             {{"Fluid cones", "0, 0, 0 : 0.5, 0.3, 0.6"},
-              {"Fluid boxes", "1, -0.5, 0 : 1.5, 0.5, 0.5"},
-              {"No-slip walls", floor_wall}},
-             0.06);
+  test_ranks<3>("cone and box",
+                {{"Fluid cones", "0, 0, 0 : 0.5, 0.3, 0.6"},
+                 {"Fluid boxes", "1, -0.5, 0 : 1.5, 0.5, 0.5"},
+                 {"No-slip walls", floor_wall}},
+                0.06);
   return n_failed > 0;
 }
