@@ -9,7 +9,7 @@
 
 using namespace Tests;
 
-/// Random points, of which each rank tells the part by which @p on_rank is its number.
+/// Divide space by the points, each told by the rank that @p on_rank names.
 template <int dim, typename F>
 void test(const std::string &name, const std::vector<Point<dim>> &points, const std::vector<double> &weights,
           const F &on_rank, const double tolerance)
