@@ -1,20 +1,15 @@
 """The benchmarks of slumping cones in space (Franci & Zhang 2018, Section 5.2): their runs, table, figures."""
 
-import pathlib
-import shutil
-import subprocess
-import sys
-
 import numpy as np
 from benchmark_table import divide, state_if_unfinished, worst_changes, write_table
 from figure_style import WIDTH, finish_axes, plt, save, use_style
+from render_runs import draw_views
 from thin_layer import NEXT_ORDER, Cone
 from thin_layer import spread as thin_layer_spread
 
 CASE = "slump"
 TIME = "Time (s)"
 SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
-RENDER = pathlib.Path(__file__).resolve().with_name("render.py")
 
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
@@ -89,15 +84,6 @@ def draw_spread(name, chosen, path):
     finish_axes(axes, "lower right", xlabel="time (s)", ylabel="spread (m)", title=case["title"])
     save(figure, path)
     plt.close(figure)
-
-
-def draw_views(results, times, path):
-    """Rendered views; without VTK or a display there is a message and no picture."""
-    if not shutil.which("xvfb-run"):
-        print(f"Left out: {path} (no xvfb-run; Debian: apt install xvfb xauth)")
-        return
-    command = [sys.executable, str(RENDER), str(results.directory), "--times", *times, "--to", str(path)]
-    subprocess.run(["xvfb-run", "-a", *command], check=False)
 
 
 def report(all_results, doc):
