@@ -85,9 +85,10 @@ def draw_regularization(usable, path):
         for results in usable:
             if results.run.label == label and results.run.tau0 == 93.05:
                 axes.plot(*scaled(results), label=f"m = {m} s")
-    finish_axes(axes, xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$",
-                title="case A, block, $\\tau_0$ = 93.05 Pa")
-    save(figure, path)
+    if axes.lines:
+        finish_axes(axes, xlabel="$t\\,\\sqrt{g/H_0}$", ylabel="front $X/H_0$",
+                    title="case A, block, $\\tau_0$ = 93.05 Pa")
+        save(figure, path)
     plt.close(figure)
 
 

@@ -61,9 +61,10 @@ def peak(results):
 
 
 def passing_time(results, limit=1e-3):
+    """When the tip passes @p limit (m) for the first time (s); nan if it does not."""
     tip, times = results.column(TIP), results.column(TIME)
     after = np.argmax(tip > limit)
-    return np.interp(limit, tip[after - 1:after + 1], times[after - 1:after + 1])
+    return np.interp(limit, tip[after - 1:after + 1], times[after - 1:after + 1]) if tip[after] > limit else np.nan
 
 
 # --------------------------------------------------------------------------------------------------------- table

@@ -26,12 +26,13 @@ def use_style():
 
 
 def finish_axes(axes, legend="best", **labels):
-    """Labels, grid, ticks and legend of a plot of curves."""
+    """Labels, grid, ticks and, where curves have names, legend of a plot."""
     axes.set(**labels)
     axes.grid(linewidth=0.4, color="0.88")
     axes.margins(x=0)
     axes.tick_params(top=True, right=True)
-    axes.legend(loc=legend)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc=legend)
 
 
 def save(figure, path):
