@@ -63,4 +63,5 @@ def report(all_results, doc):
     draw_tips(usable, doc / "figures" / f"{CASE}_tip.png")
     for results in usable:
         if results.run.label == "channel" and results.run.tau0 == 100:
-            draw_views(results, (0.1, 0.2, 0.275, 0.35), doc / "figures" / f"{CASE}_views.png", "--columns", "2")
+            draw_views(results, (0.1, 0.2, 0.275, 0.35), doc / "figures" / f"{CASE}_views.png", "--columns", "2", "--cut", "y=0.04",
+                       "--fastest", "1.8")

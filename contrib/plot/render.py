@@ -2,6 +2,7 @@
 """Views of runs in space: the fluid's surface coloured by speed, solids in one colour, at several times side by side.
 
     contrib/plot/render.py output-mini-cone --times 0 0.1 5 --to cone.png
+    contrib/plot/render.py output-dam-break-elastic-3d --cut y=0.04 --to half.png    # what lies behind a plane
 
 Needs VTK (Debian: python3-vtk9) and, where there is no display, a virtual one (xvfb-run).
 """
@@ -28,15 +29,47 @@ def parse_arguments():
     parser.add_argument("--fastest", type=float, help="speed at the end of the colour scale, m/s (default: the largest)")
     parser.add_argument("--azimuth", type=float, default=30., help="of the camera about the vertical, degrees")
     parser.add_argument("--elevation", type=float, default=25., help="of the camera above the floor, degrees")
+    parser.add_argument("--cut", help="show only what lies behind a plane such as y=0.04, seen from the camera")
     parser.add_argument("--columns", type=int, help="views side by side (default: all)")
     parser.add_argument("--width", type=int, default=520, help="of one view, pixels")
     return parser.parse_args()
 
 
-def read_surface(vtk, path, feature_angle=50.):
-    """The outside of a snapshot as smooth triangles with the field 'speed' at its points."""
+def direction_of_view(arguments):
+    """The unit vector towards the camera."""
+    azimuth, elevation = np.radians([arguments.azimuth, arguments.elevation])
+    return np.array([np.cos(elevation) * np.sin(azimuth), -np.cos(elevation) * np.cos(azimuth), np.sin(elevation)])
+
+
+def parse_cut(text, towards_camera):
+    """The plane 'y=0.04' as origin and normal, which points away from the camera; None without one."""
+    if text is None:
+        return None
+    axis, _, value = text.partition("=")
+    normal, origin = np.zeros(3), np.zeros(3)
+    try:
+        d = "xyz".index(axis.strip() or "?")
+        origin[d] = float(value)
+    except ValueError:
+        raise OutputError(f"--cut must read x=, y= or z= and a number, not '{text}'") from None
+    normal[d] = -1. if towards_camera[d] > 0. else 1.
+    return origin, normal
+
+
+def read_surface(vtk, path, cut, feature_angle=50.):
+    """The outside of a snapshot, of the part behind the plane @p cut, as smooth triangles with the field 'speed' at points."""
+    mesh = read_joined(vtk, path)
+    if cut is not None:
+        plane = vtk.vtkPlane()
+        plane.SetOrigin(*cut[0])
+        plane.SetNormal(*cut[1])
+        clip = vtk.vtkTableBasedClipDataSet()
+        clip.SetInputData(mesh)
+        clip.SetClipFunction(plane)
+        clip.Update()
+        mesh = clip.GetOutput()
     surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputData(read_joined(vtk, path))
+    surface.SetInputData(mesh)
     norm = vtk.vtkArrayCalculator()
     norm.SetInputConnection(surface.GetOutputPort())
     norm.AddVectorArrayName("velocity")
@@ -57,10 +90,9 @@ class Scene:
         bounds = np.array([surface.GetBounds() for surface in surfaces])
         lower, upper = bounds[:, 0::2].min(axis=0), bounds[:, 1::2].max(axis=0)
         self.floor, self.centre, self.extent = lower[2], 0.5 * (lower + upper), (upper - lower).max()
-        azimuth, elevation = np.radians([arguments.azimuth, arguments.elevation])
-        self.direction = np.array([np.cos(elevation) * np.sin(azimuth), -np.cos(elevation) * np.cos(azimuth),
-                                   np.sin(elevation)])
+        self.direction = direction_of_view(arguments)
         # The half height that holds the corners of the box around everything, as the camera sees them.
+        azimuth = np.radians(arguments.azimuth)
         right = np.array([np.cos(azimuth), np.sin(azimuth), 0.])
         corners = 0.5 * (upper - lower) * np.array(list(itertools.product((-1., 1.), repeat=3)))
         self.half_height = 1.08 * max(abs(corners @ np.cross(right, -self.direction)).max(),
@@ -142,6 +174,7 @@ class Scene:
         bar.SetNumberOfLabels(3)
         bar.SetLabelFormat("%.2g")
         bar.UnconstrainedFontSizeOn()
+        bar.SetVerticalTitleSeparation(10)
         bar.SetPosition(0.8, 0.5)
         bar.SetWidth(0.12)
         bar.SetHeight(0.45)
@@ -175,8 +208,11 @@ def main():
     last = len(snapshots) - 1
     chosen = (nearest_snapshots(snapshots, arguments.times) if arguments.times
               else [snapshots[i] for i in sorted({0, last // 4, last})])
-    surfaces = [read_surface(vtk, path) for _, path in chosen]
-    solids = {time: read_surface(vtk, path, 20.) for time, path in read_pvd(arguments.output / "solution.pvd", 1)
+    cut = parse_cut(arguments.cut, direction_of_view(arguments))
+    surfaces = [read_surface(vtk, path, cut) for _, path in chosen]
+    if not any(surface.GetNumberOfPoints() for surface in surfaces):
+        raise OutputError(f"{arguments.output}: no fluid behind {arguments.cut}" if cut else f"{arguments.output}: no fluid")
+    solids = {time: read_surface(vtk, path, cut, 20.) for time, path in read_pvd(arguments.output / "solution.pvd", 1)
               if time in [time for time, _ in chosen]}
     scene = Scene(vtk, surfaces + list(solids.values()), arguments)
 

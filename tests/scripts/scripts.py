@@ -150,6 +150,11 @@ def test_plots(lahar, directory):
     check("and its contour is as wide and as high as the fluid",
           all(abs(found - exact) < 1e-8 for found, exact in zip((*extent[0], *extent[1]), (0., 0.1, 0., 0.06))), extent)
     check("and lies in the plane", all(abs(y - 0.041) < 1e-8 for y in extent[3]), extent)
+    for cut in ("y", "w=1", "y=nowhere"):
+        process = run_script(directory, "plot/render.py", space, "--cut", cut)
+        check(f"render.py refuses the plane '{cut}'", is_refused(process, "--cut", cut), process.stderr)
+    process = run_script(directory, "plot/render.py", space, "--cut", "y=1")
+    check("and one with nothing behind it", is_refused(process, "no fluid", "y=1"), process.stderr)
     for script in ("plot/section.py", "plot/render.py"):
         process = run_script(directory, script, "nowhere")
         check(f"{script} refuses a run that is not there", is_refused(process, "nowhere"), process.stderr)
