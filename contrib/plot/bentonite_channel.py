@@ -93,8 +93,8 @@ def report(all_results, doc):
     for h in (0.009, 0.0126, 0.0168):
         channel, plane = by_name.get(f"channel-h{h:g}"), by_name.get(f"plane-h{h:g}")
         if channel and plane:
-            draw_sections(channel, "y=-0.0005", (0.2, 0.4, 0.8), figures / f"{CASE}_section.png", "--over", str(plane.directory))
-            draw_sections(channel, "z=0.02", (0.2, 0.4, 0.8), figures / f"{CASE}_from_above.png")
+            draw_sections(channel, "y=-0.0005", (0.2, 0.4, 0.8), figures / "bentonite_slope_3d_section.png", "--over", str(plane.directory))
+            draw_sections(channel, "z=0.02", (0.2, 0.4, 0.8), figures / "bentonite_slope_3d_from_above.png")
             break
     if f"block-h{FINE:g}" in by_name:
         draw_views(by_name[f"block-h{FINE:g}"], (0.1, 0.18, 0.3, 0.53), figures / "falling_block_views.png", "--columns", "2")

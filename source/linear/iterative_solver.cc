@@ -24,9 +24,11 @@ namespace Lahar
   void IterativeSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Iterative");
-    prm.declare_entry("Preconditioner", "ML", Patterns::Anything(),
-                      "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
-                      "multigrid) or 'ILU' (incomplete factors).");
+    prm.declare_entry(
+      "Preconditioner", "ML", Patterns::Anything(),
+      "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
+      "multigrid; of the Schur complement incomplete factors where that is poor) or 'ILU' (incomplete "
+      "factors).");
     prm.declare_entry(
       "Tolerance", "1e-3", Patterns::Anything(),
       "Tolerance of the preconditioned residual relative to the first one, with velocity and "
@@ -56,9 +58,9 @@ namespace Lahar
   template <int dim>
   typename IterativeSolver<dim>::Preconditioner
   IterativeSolver<dim>::make_preconditioner(const Matrix &matrix, const unsigned int n_components,
-                                            const BlockSystem<dim> &system) const
+                                            const BlockSystem<dim> &system, const bool by_multigrid) const
   {
-    if (multigrid)
+    if (by_multigrid)
     {
       auto preconditioner = std::make_unique<TrilinosWrappers::PreconditionAMG>();
       TrilinosWrappers::PreconditionAMG::AdditionalData data;
@@ -85,21 +87,24 @@ namespace Lahar
       return preconditioner;
     }
     auto preconditioner = std::make_unique<TrilinosWrappers::PreconditionILU>();
-    preconditioner->initialize(matrix, TrilinosWrappers::PreconditionILU::AdditionalData(1));
+    // In multigrid's place for S̃, whose rows reach over two layers of nodes already.
+    const unsigned int fill = multigrid ? 0 : 1;
+    preconditioner->initialize(matrix, TrilinosWrappers::PreconditionILU::AdditionalData(fill));
     return preconditioner;
   }
 
 
 
   template <int dim>
-  void IterativeSolver<dim>::make_inverse(const BlockSystem<dim> &system)
+  void IterativeSolver<dim>::make_inverse(const BlockSystem<dim> &system, const bool schur_by_multigrid)
   {
     // The system's matrix will change: the smoothers need one that does not.
-    inverse = std::make_unique<ApproximateInverse>();
+    inverse                     = std::make_unique<ApproximateInverse>();
+    inverse->schur_by_multigrid = schur_by_multigrid;
     inverse->K.copy_from(system.matrix().block(0, 0));
     inverse->S.reinit(*make_schur_complement(system), true);
-    inverse->inverse_K = make_preconditioner(inverse->K, dim, system);
-    inverse->inverse_S = make_preconditioner(inverse->S, 1, system);
+    inverse->inverse_K = make_preconditioner(inverse->K, dim, system, multigrid);
+    inverse->inverse_S = make_preconditioner(inverse->S, 1, system, schur_by_multigrid);
     inverse->pattern   = system.pattern_number();
   }
 
@@ -109,11 +114,13 @@ namespace Lahar
   unsigned int IterativeSolver<dim>::solve(const BlockSystem<dim> &system, const IncrementScales &scales,
                                            Vector &solution)
   {
-    for (bool fresh = false; !fresh;)
+    for (bool is_last_try = false; !is_last_try;)
     {
-      fresh = !inverse || inverse->pattern != system.pattern_number() || inverse->worn;
+      const bool fits  = inverse && inverse->pattern == system.pattern_number();
+      const bool fresh = !fits || inverse->worn;
       if (fresh)
-        make_inverse(system);
+        make_inverse(system, multigrid && !(fits && inverse->multigrid_failed));
+      is_last_try = fresh && !inverse->schur_by_multigrid;
 
       auto pressure_rhs               = system.right_hand_side().block(1);
       const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
@@ -125,12 +132,13 @@ namespace Lahar
           inverse->inverse_S->vmult(y.block(1), pressure_rhs);
         },
         scales, {max_iterations, tolerance}, solution);
+      const bool converged = n_iterations <= max_iterations;
       if (fresh)
         inverse->n_fresh_iterations = n_iterations;
-      inverse->worn = n_iterations > largest_growth * inverse->n_fresh_iterations;
-      if (n_iterations <= max_iterations)
+      inverse->worn             = !converged || n_iterations > largest_growth * inverse->n_fresh_iterations;
+      inverse->multigrid_failed = !inverse->schur_by_multigrid || (fresh && !converged);
+      if (converged)
         return n_iterations;
-      inverse->worn = true;
     }
     throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
   }
@@ -145,7 +153,7 @@ namespace Lahar
     if (b == 1)
       schur.reinit(*make_schur_complement(system), true);
     const Matrix &matrix                = b == 1 ? schur : system.matrix().block(0, 0);
-    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim, system);
+    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim, system, multigrid);
 
     using BlockVector  = TrilinosWrappers::MPI::Vector;
     const auto &rhs    = system.right_hand_side().block(b);

@@ -19,7 +19,9 @@ namespace Lahar
    * cost more than they save.
    *
    * K̃ and S̃ serve for the next systems of the same pattern too, until GMRES takes half as many iterations again as with
-   * a fresh one.
+   * a fresh one. Where it fails with fresh multigrid, S̃⁻¹ is incomplete factors for this system and the next ones of
+   * this pattern: in sprays and thin films particles of little mass tie the pressures around them together in a way
+   * that aggregates do not follow.
    *
    * Why diag(K) will do where plugs make it differ much from K: were C = −Qᵀ, the Schur complement H − C K⁻¹ Q would
    * lie between H and H − C M⁻¹ Q, M the inertia in K, and the stabilisation H is about as large as the second term,
@@ -47,19 +49,21 @@ namespace Lahar
 
     /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node: dim or 1.
     Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components,
-                                       const BlockSystem<dim> &system) const;
+                                       const BlockSystem<dim> &system, const bool by_multigrid) const;
 
     /// What approximates the inverse of one system: K̃⁻¹ and S̃⁻¹, and the matrices that they refer to.
     struct ApproximateInverse
     {
       unsigned int pattern            = 0; ///< BlockSystem::pattern_number()
       unsigned int n_fresh_iterations = 0; ///< of the system that it was made from
+      bool schur_by_multigrid         = true;
       bool worn                       = false;
+      bool multigrid_failed           = false; ///< for S̃ of this pattern
       Matrix K, S;
       Preconditioner inverse_K, inverse_S;
     };
 
-    void make_inverse(const BlockSystem<dim> &system);
+    void make_inverse(const BlockSystem<dim> &system, const bool schur_by_multigrid);
 
     std::unique_ptr<ApproximateInverse> inverse;
 
