@@ -27,7 +27,7 @@ namespace Lahar
     prm.declare_entry(
       "Preconditioner", "ML", Patterns::Anything(),
       "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
-      "multigrid; of the Schur complement incomplete factors where that is poor) or 'ILU' (incomplete "
+      "multigrid; of the Schur complement incomplete factors where GMRES fails) or 'ILU' (incomplete "
       "factors).");
     prm.declare_entry(
       "Tolerance", "1e-3", Patterns::Anything(),
