@@ -35,7 +35,8 @@ namespace Lahar
         continue;
       const Tensor<1, dim> path = cloud.position[i] - old_position[i];
       double fraction           = 1.;
-      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
+      for (const unsigned int facet :
+           walls.crossed(old_position[i], cloud.position[i], 0., 1e-3 * cloud.spacing[i]))
         if (!walls.facets()[facet].slip)
         {
           const double before = walls.signed_distance(facet, old_position[i]);

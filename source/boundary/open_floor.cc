@@ -24,7 +24,7 @@ namespace Lahar
       ++n_fluid;
       // From a little above, since particles may lie on a wall; beside the rim of a wall they slide down.
       const Point<dim> start = cloud.position[i] - 0.1 * cloud.spacing[i] * down;
-      if (obstacles.crossed(start, start + far_away * down, 0.).empty() &&
+      if (obstacles.crossed(start, start + far_away * down, 0., 0.).empty() &&
           obstacles.near(cloud.position[i], cloud.spacing[i]).empty() && n_open++ == 0)
         first = i;
     }

@@ -84,13 +84,13 @@ namespace Lahar
           facet = ParticleCloud<dim>::no_facet;
       std::sort(slots.begin(), slots.end(), std::greater<int>());
 
-      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0.))
+      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
         if (walls.facets()[facet].slip)
           attach(i, facet, cloud);
       for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
         if (walls.facets()[facet].slip &&
             std::abs(walls.signed_distance(facet, cloud.position[i])) < contact_distance * h &&
-            walls.is_above(facet, cloud.position[i], 0.))
+            walls.is_above(facet, cloud.position[i], 1e-3 * h))
           attach(i, facet, cloud);
     }
   }

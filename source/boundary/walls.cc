@@ -83,9 +83,10 @@ namespace Lahar
 
   template <int dim>
   std::vector<unsigned int> Walls<dim>::crossed(const Point<dim> &a, const Point<dim> &b,
-                                                const double tolerance) const
+                                                const double tolerance, const double rim) const
   {
-    const BoundingBox<dim> box(std::array<Point<dim>, 2>{{a, b}});
+    BoundingBox<dim> box(std::array<Point<dim>, 2>{{a, b}});
+    box.extend(std::max(rim, 0.));
     std::vector<unsigned int> found;
     for (const auto &entry :
          tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(box)))
@@ -97,7 +98,7 @@ namespace Lahar
           std::max(distance_a, distance_b) < tolerance)
         continue;
       const Point<dim> hit = a + distance_a / (distance_a - distance_b) * (b - a);
-      if (is_above(facet, hit, -tolerance))
+      if (is_above(facet, hit, rim))
         found.push_back(facet);
     }
     std::sort(found.begin(), found.end());

@@ -361,8 +361,9 @@ namespace Lahar
     const double *value = solution.block(0).begin();
     for (unsigned int l = 0; l < node_partition.n_own(); ++l)
     {
-      for (unsigned int a = 0; a < dim; ++a)
-        result[l][a] = *value++;
+      for (unsigned int a = 0; a < dim; ++a, ++value)
+        if (a >= constraints[l].n_fixed) // an iterative solver leaves an error there
+          result[l][a] = *value;
       if (constraints[l].n_fixed > 0 && constraints[l].n_fixed < dim)
         result[l] = transpose(constraints[l].frame) * result[l];
     }

@@ -91,7 +91,7 @@ namespace Lahar
     {
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
-          if (!walls.crossed(corners[a], corners[b], 1e-3 * h).empty())
+          if (!walls.crossed(corners[a], corners[b], 1e-3 * h, -1e-3 * h).empty())
             return true;
       return false;
     }

@@ -198,7 +198,7 @@ namespace Lahar
         const double limit         = longest_shift * cloud.spacing[i];
         const double distance      = -change[i] / (free_area[i] > 0. ? free_area[i] : whole_area[i]);
         const Tensor<1, dim> shift = std::max(-limit, std::min(limit, distance)) / area[i].norm() * area[i];
-        if (walls.crossed(cloud.position[i], cloud.position[i] + shift, 0.).empty())
+        if (walls.crossed(cloud.position[i], cloud.position[i] + shift, 0., 0.).empty())
           cloud.position[i] += shift;
       }
     migration.update(cloud.position);

@@ -46,17 +46,21 @@ void test_walls()
 
   using Found = std::vector<unsigned int>;
   check("near", walls.near({1.5, 0.05}, 0.1) == Found{0} && walls.near({1., 0.5}, 0.1).empty());
-  check("crossed downwards", walls.crossed({1., 1e-3}, {1., -1e-3}, 0.) == Found{0});
-  check("crossed upwards", walls.crossed({1., -1e-3}, {1., 1e-3}, 0.) == Found{0});
-  check("ends before the wall", walls.crossed({0.5, 1.}, {0.5, 1e-9}, 0.).empty());
-  check("ends within the tolerance", walls.crossed({0.5, 1.}, {0.5, -1e-3}, 1e-2).empty());
-  check("passes beside the rim", walls.crossed({2.01, 1.}, {2.01, -1.}, 0.).empty());
-  check("runs along the wall", walls.crossed({0.5, 0.}, {1.5, 0.}, 1e-3).empty());
-  check("crosses two walls", walls.crossed({1.1, 1.5}, {1.5, -0.1}, 0.) == Found{0, 1});
+  check("crossed downwards", walls.crossed({1., 1e-3}, {1., -1e-3}, 0., 0.) == Found{0});
+  check("crossed upwards", walls.crossed({1., -1e-3}, {1., 1e-3}, 0., 0.) == Found{0});
+  check("ends before the wall", walls.crossed({0.5, 1.}, {0.5, 1e-9}, 0., 0.).empty());
+  check("ends within the tolerance", walls.crossed({0.5, 1.}, {0.5, -1e-3}, 1e-2, -1e-2).empty());
+  check("passes beside the rim", walls.crossed({2.01, 1.}, {2.01, -1.}, 0., 0.).empty());
+  check("passes within the enlarged rim", walls.crossed({2.01, 1.}, {2.01, -1.}, 0., 0.02) == Found{0});
+  check("runs along the wall", walls.crossed({0.5, 0.}, {1.5, 0.}, 1e-3, -1e-3).empty());
+  check("crosses two walls", walls.crossed({1.1, 1.5}, {1.5, -0.1}, 0., 0.) == Found{0, 1});
 
   const Walls<3> triangle({{{{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(0., 1., 0.)}}, false}});
-  check("3D: crossed inside", triangle.crossed({0.3, 0.3, 1.}, {0.3, 0.3, -1.}, 0.) == Found{0});
-  check("3D: passes beside", triangle.crossed({0.6, 0.6, 1.}, {0.6, 0.6, -1.}, 0.).empty());
+  check("3D: crossed inside", triangle.crossed({0.3, 0.3, 1.}, {0.3, 0.3, -1.}, 0., 0.) == Found{0});
+  check("3D: passes beside", triangle.crossed({0.6, 0.6, 1.}, {0.6, 0.6, -1.}, 0., 0.).empty());
+  check("3D: passes within the enlarged rim",
+        triangle.crossed({0.3, -1e-9, 1.}, {0.3, -1e-9, -1.}, 0., 0.).empty() &&
+          triangle.crossed({0.3, -1e-9, 1.}, {0.3, -1e-9, -1.}, 0., 1e-8) == Found{0});
   check("3D: distance", std::abs(triangle.signed_distance(0, {9., 9., -2.})) - 2., 1e-15);
 }
 
@@ -166,7 +170,9 @@ void test_free_flight()
   const Walls<2> walls({{{{{0., 0.}, {2., 0.}}}, false}});
   ParticleCloud<2> cloud;
   FluidMesh<2> mesh;
-  for (const Point<2> &p : {Point<2>(1., 1.), Point<2>(1., 0.01)})
+  // The last two fall at the rim of the floor, by rounding beside it, and far beside it.
+  for (const Point<2> &p :
+       {Point<2>(1., 1.), Point<2>(1., 0.01), Point<2>(2. + 1e-12, 0.01), Point<2>(2.1, 0.01)})
     cloud.append(p, ParticleKind::fluid, 0.1);
   cloud.velocity[0] = Point<2>(1., 2.);
   cloud.velocity[1] = Point<2>(0., -3.);
@@ -181,6 +187,8 @@ void test_free_flight()
   check("free flight: velocity", (cloud.velocity[0] - Point<2>(1., 1.)).norm(), 1e-14);
   check("free flight: no pressure", cloud.pressure[0], 0.);
   check("stops in front of the wall", cloud.position[1][1] > 0. && cloud.position[1][1] <= 0.011);
+  check("stops in front of its rim", cloud.position[2][1] > 0. && cloud.position[2][1] <= 0.011);
+  check("falls beside it", cloud.position[3][1] < 0.);
 }
 
 /// Particles that slide from rank to rank along a floor and into a corner: each rank finds what one rank does.

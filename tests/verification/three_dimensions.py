@@ -5,7 +5,7 @@ from verification import Check, read_run, run_check, volume_changes
 
 LEVEL, WEIGHT = 0.12, 9810.
 GAUGES = {"a": 0.0123, "b": 0.06, "c": 0.11}  # name in the .prm file, height in m
-SIZE = 0.005  # mesh size of the collapse, m
+SIZE, WIDTH = 0.005, 0.015  # mesh size of the collapse and width of the slab, m
 
 
 def test_rest(check):
@@ -27,6 +27,8 @@ def test_plane_flow(check):
     for name in ("front (m)", "height (m)"):
         difference = abs(space[name][-1] - plane[name][-1])
         check.below(f"slab in space against the plane, {name[:-4]}, over the mesh size", difference / SIZE, 0.5)
+    beyond = max((-space["left (m)"]).max(), (space["right (m)"] - WIDTH).max(), (-space["low (m)"]).max())
+    check.below("slab in space, fluid beyond walls and floor over the mesh size", beyond / SIZE, 1e-9)
     for cause, change, limit in zip(("solver", "remeshing"), volume_changes(space), (0.003, 0.01)):
         check.below(f"slab in space, volume change by {cause}", change, limit)
 

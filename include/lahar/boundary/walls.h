@@ -55,10 +55,11 @@ namespace Lahar
     std::vector<unsigned int> near(const Point<dim> &point, const double distance) const;
 
     /**
-     * Facets that the segment from @p a to @p b passes through from one side to the other. A segment that ends within
-     * @p tolerance of a facet does not pass through it.
+     * Facets, enlarged by @p rim at their rim, that the segment from @p a to @p b passes through from one side to the
+     * other. A segment that ends within @p tolerance of a facet does not pass through it.
      */
-    std::vector<unsigned int> crossed(const Point<dim> &a, const Point<dim> &b, const double tolerance) const;
+    std::vector<unsigned int> crossed(const Point<dim> &a, const Point<dim> &b, const double tolerance,
+                                      const double rim) const;
 
   private:
     std::vector<WallFacet<dim>> all_facets;

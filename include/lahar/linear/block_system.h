@@ -206,7 +206,8 @@ namespace Lahar
     /// A vector of the system's layout, zero.
     Vector make_vector() const;
 
-    /// Velocity increments of the known nodes, by local number, from the vector of unknowns. Collective.
+    /// Velocity increments of the known nodes, by local number, from the vector of unknowns; prescribed components are
+    /// zero, whatever a solver left there. Collective.
     std::vector<Tensor<1, dim>> velocities(const Vector &solution) const;
 
     /// Pressure increments of the known nodes of the fluid, by fluid_number(). Collective.
