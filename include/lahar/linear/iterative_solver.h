@@ -47,7 +47,7 @@ namespace Lahar
     using Matrix         = TrilinosWrappers::SparseMatrix;
     using Preconditioner = std::unique_ptr<TrilinosWrappers::PreconditionBase>;
 
-    /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node: dim or 1.
+    /// K̃⁻¹ or S̃⁻¹ for a matrix with @p n_components unknowns a node, dim or 1; by multigrid or incomplete factors.
     Preconditioner make_preconditioner(const Matrix &matrix, const unsigned int n_components,
                                        const BlockSystem<dim> &system, const bool by_multigrid) const;
 
