@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests that run the program `lahar` from outside share."""
 import os
 

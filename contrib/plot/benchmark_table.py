@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the reports of the benchmarks share: which runs can be reported, and tables in Markdown."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Bentonite in a channel on a slope, without and with a falling block (Franci & Zhang 2018, Sections 5.3 and 5.4)."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The benchmark of bentonite on a slope (Franci & Zhang 2018, Section 5.3): its runs, table, figures."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The dam break against an elastic barrier in a channel (Franci & Zhang 2018, Section 5.1) beside the flow in the plane."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The benchmark of the dam break against an elastic barrier (Franci & Zhang 2018, Section 5.1): its runs, table, figures."""
 
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draw a column of Lahar's statistics over time, one curve a run.
 
     front.py output-a="h = 10 mm" output-b="h = 5 mm" -o front.png --column "front (m)"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Read what Lahar writes: the statistics file, the list of snapshots, the snapshots and the walls of a run.
 
 Needs numpy only. Wrong input raises OutputError with a message of one line.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Views of runs in space: the fluid's surface coloured by speed, solids in one colour, at several times side by side.
 
     contrib/plot/render.py output-mini-cone --times 0 0.1 5 --to cone.png

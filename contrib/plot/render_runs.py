@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures that the reports of the benchmarks have made by render.py and section.py."""
 
 import pathlib

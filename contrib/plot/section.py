@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Sections of a run in space by a plane: the fluid in it coloured by a field, and its contour as text.
 
     contrib/plot/section.py output-bentonite-a-3d --plane y=0 --times 0.2 0.4 --to section.png --text section.txt

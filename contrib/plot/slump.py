@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The benchmarks of slumping cones in space (Franci & Zhang 2018, Section 5.2): their runs, table, figures."""
 
 import numpy as np

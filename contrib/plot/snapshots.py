@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draw snapshots of Lahar runs: one field in colour, unyielded fluid shaded, walls dark.
 
     snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The slump of a cone of Bingham fluid by the theory of thin layers: an independent estimate of the spread in time.
 
 Radial flow in a layer of the depth h(r, t), without inertia. The stress at the bed is

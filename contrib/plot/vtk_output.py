@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Read snapshots with VTK (Debian: python3-vtk9)."""
 
 import numpy as np

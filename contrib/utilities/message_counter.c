@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 /*
  * Counts what a program's ranks tell each other: calls and bytes at the MPI interface, the mean over the ranks.
  *

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/assembly/residual_projection.h>
 #include <lahar/remeshing/simplex_geometry.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/assembly/fluid_cell.h>
 #include <lahar/remeshing/simplex_geometry.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/base/bounding_box.h>
 
 #include <lahar/boundary/open_floor.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/geometry/cone_body.h>
 #include <lahar/geometry/lattice.h>
 #include <lahar/geometry/point_set.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/geometry/graded_points.h>
 
 namespace Lahar

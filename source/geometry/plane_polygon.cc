@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/geometry/plane_polygon.h>
 #include <lahar/utilities/exceptions.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/geometry/fluid_body.h>
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/solid_shape.h>

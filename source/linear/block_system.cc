@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/linear/block_system.h>
 #include <lahar/linear/nodal_matrix.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Epetra_MultiVector.h>

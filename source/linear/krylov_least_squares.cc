@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <lahar/linear/krylov_least_squares.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/linear/direct_solver.h>
 #include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/linear_solver.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/linear/node_constraint.h>
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/linear/krylov_least_squares.h>
 #include <lahar/linear/scaled_gmres.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/material/fluid_law.h>
 #include <lahar/utilities/factory.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/material/neo_hookean.h>
 #include <lahar/utilities/factory.h>
 

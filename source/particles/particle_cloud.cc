@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/base/numbers.h>
 
 #include <lahar/particles/particle_cloud.h>

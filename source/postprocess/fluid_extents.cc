@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/geometry/box.h>
 #include <lahar/geometry/point_lists.h>
 #include <lahar/postprocess/postprocessor.h>

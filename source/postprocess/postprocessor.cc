@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/postprocess/progress.h>
 
 #include <unistd.h>

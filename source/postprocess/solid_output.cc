@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/grid/reference_cell.h>
 
 #include <lahar/postprocess/solid_output.h>

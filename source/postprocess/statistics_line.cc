@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/postprocess/statistics_line.h>
 
 #include <iomanip>

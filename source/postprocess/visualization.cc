@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/base/utilities.h>
 
 #include <deal.II/fe/fe_system.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/remeshing/delaunay.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/sort_in_buckets.h>

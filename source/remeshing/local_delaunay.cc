@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/remeshing/far_points.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/point_tree.h>

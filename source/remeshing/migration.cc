@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <boost/serialization/vector.hpp>
 
 #include <lahar/remeshing/migration.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/remeshing/point_tree.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/volume_correction.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <lahar/simulator/held_vertices.h>
 #include <lahar/utilities/exceptions.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/base/function_parser.h>
 
 #include <lahar/boundary/open_floor.h>

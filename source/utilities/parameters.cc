@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/utilities.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that linear velocity fields pass the patch test (V2) on unstructured meshes in 2D and 3D for all forms of the
 // stabilisation and both laws, and that rigid motions make neither strain nor residual.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the film of a Bingham-Papanastasiou fluid that its weight drags along a floor (V3, half a plane Poiseuille
 // flow): surface speed, mean speed and order of convergence against quadrature of the exact profile, in the plane and
 // in space, where the film flows between two slip walls.

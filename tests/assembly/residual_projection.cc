@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that the stabilisation sees no error in fluid whose shear stress carries its weight: in a film with the exact
 // profile the projected residual is the divergence of the stress, and the mass residual vanishes; without projection
 // it does not. Where there is no stress, nothing is projected.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_tests_assembly_stokes_h
 #define lahar_tests_assembly_stokes_h
 

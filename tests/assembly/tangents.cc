@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test every term of the weak form in 2D and 3D: its Jacobian against central differences of its residual, where the
 // nodes move with their velocities, and the identities that the residuals obey.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the walls and free slip along them: distances and crossings, frames for one wall, a hollow corner, a skew wall
 // and edges and corners in 3D, contact, sliding over a rim and projection.
 

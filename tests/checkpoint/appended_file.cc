@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the file that grows line by line: what it holds, what is cut off when a run is resumed, what is refused, and the
 // message of a disk that is full. Test the line and the header of the statistics that are written to it.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Test checkpoints and --resume of the program `lahar` from outside, each run in a directory of its own.
 
 column, barrier, refined, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test fluid, walls and solids of gmsh files in space: volume, particles on the walls, no particle twice; and the errors
 // of wrong groups and of meshes of the other dimension.
 

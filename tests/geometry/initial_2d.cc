@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the initial particles and walls of boxes, polygons and gmsh groups: areas, spacing, contact points on walls, no
 // particle inside a wall; the polygon functions; and the errors of wrong geometries.
 

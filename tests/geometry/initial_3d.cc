@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the initial particles and walls in space: volumes, spacing and shape of the cells of boxes, wedges, cones and
 // cylinders on a floor; plane polygons; and the errors of wrong geometries.
 

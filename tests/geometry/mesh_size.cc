@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the mesh size as a function of the place: its values, its gradient, the spacing that particles get from it, and
 // lines, polygons and bodies in space that are filled with it.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Test the program `lahar` from outside, each run in a directory of its own.
 
 refused:  wrong input ends with status 2; the message names the parameter by its path, the value found and what is

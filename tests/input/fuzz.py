@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Feed the program `lahar` mutated input, from outside.
 
 The parameter files of prm/ and the gmsh files of prm/ and tests/geometry, with coarser meshes, are mutated at random

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the block system against a dense assembly with fixed and skew nodes and fixed pressures, and the solutions of the linear solvers
 // against LAPACK, with a fresh and with a reused factorisation. On several ranks the nodes are shared out.
 

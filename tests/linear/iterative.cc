@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the iterative solver against the direct one on the system of a Newton step of a Bingham fluid: a sheared layer
 // below a plug whose viscosity is 10^8 times the plastic one, in 2D and 3D, with both preconditioners.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the least-squares problem of GMRES, column by column, on a random Hessenberg matrix: the solution has a residual
 // orthogonal to the columns, of the norm told; the smallest singular value is that of the normal equations.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test how nodes are shared out: what a rank knows are its own nodes, the halo and the outer nodes as the definitions say,
 // local and global numbers are in the promised order, and updating brings the owners' values to all copies; in 2D and 3D,
 // with two lists of cells, where ranks have heard of all nodes and where they have not, on one rank and on several.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the Bingham-Papanastasiou and the Newtonian law: viscosity and its derivative against automatic differentiation
 // over eighteen decades of the strain rate, both limits, monotone stress, yielding, and wrong parameters.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the hypoelastic and the neo-Hookean law in two and three dimensions: tangents against central differences, rigid
 // rotations, agreement with each other and with Hooke's law for small strains, stored energies, and wrong parameters.
 

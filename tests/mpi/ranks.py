@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Test the program `lahar` on several ranks, each run in a directory of its own.
 
 column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an elastic

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the particle cloud: append, append_midpoint and remove keep all arrays consistent; records carry all of a particle.
 
 #include <deal.II/base/numbers.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the division of space among the ranks: all have their share of the weight, wherever the points are and whichever
 // rank has told of them; all ranks agree; parts are convex in every direction; points that cannot be divided do no harm.
 

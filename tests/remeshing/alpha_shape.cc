@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test which simplices become fluid: hand-made clouds with a hole, a neck, a drop at a wall, slivers and degenerate
 // points, the plain and the advected rule, dry walls, thin walls, 3D; and the Delaunay triangulation of lattices.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the parts of the fluid that hang together over several ranks, and sums over them, against those of one rank that
 // knows all: random clouds of many parts, a chain that winds to and fro between the ranks, and particles alone.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that particles outside the domain are dropped with their cells, and nothing else is.
 
 #include <lahar/remeshing/domain_limit.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the search for other ranks' particles in circumballs that leave this rank's region: those found lie beyond the
 // region and in a ball, none comes twice, and asked until there is no more they are all such particles, as a rank that
 // knows all finds them. Balls that lie within the region are not open.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the fluid's mesh: volume, boundary faces, numbering, motion, recognised connectivity and shape gradients; and
 // the particles' spacing: removal, insertion, and merging on the free surface without change of area.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that the Delaunay simplices that the ranks find, each around its own points, are together those that one rank
 // finds in all points, each once: random clouds, lattices whose points are cospherical, points that stand twice, clouds of
 // very different density, points far away, flat simplices of bent surfaces between two bodies; in 2D and 3D, on one rank

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that several ranks, each with its own particles and those around, remesh as one rank does with all of them: after
 // every step of a flow that removes and inserts particles, merges surfaces and splits the fluid, the union of their own
 // cells and particles is what one rank has, by the particles' numbers; disturbed clouds and lattices, with solids in the

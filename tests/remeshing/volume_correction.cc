@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that remeshing keeps the volume of a block whose particles are disturbed, with the plain alpha shape, which
 // changes it most, in two and three dimensions; and that it moves no more than it must.
 

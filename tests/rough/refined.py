@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run a dam break through a refined box, and the same one with the size of the box everywhere: the mesh must have the size
 of the box in it and that of the case elsewhere, at the start, while the fluid runs in and once it has left it; remeshing may
 not change the volume by more than 0.5 % in either; the fronts must stay within a mesh size of each other.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run a rough case of this folder: it must reach its end, with status 0 and nothing on stderr, with finite numbers in
 the statistics, and solver and remeshing may change the volume by 3 % at most.
 

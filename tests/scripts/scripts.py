@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The scripts in contrib/ on short runs.
 
 benchmarks: contrib/benchmarks runs what is chosen, skips what is finished, and writes tables whose numbers are those of the

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test Anderson's acceleration on fixed-point iterations that diverge or hardly converge by themselves.
 
 #include <lahar/simulator/anderson_acceleration.h>

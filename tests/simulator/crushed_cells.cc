@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test which cells a step leaves out, and that the assembly of a mesh with such a cell, even an inverted one, is that of
 // the mesh without it but for a positive diagonal; in 2D and 3D, for fluid with a yield stress.
 

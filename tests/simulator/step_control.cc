@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the length of the time steps: that they end on the stops, are halved after failures and grow after easy steps.
 
 #include <lahar/simulator/step_control.h>

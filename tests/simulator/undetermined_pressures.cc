@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test that pressures are fixed where all velocities of a connected part are prescribed, and only there: four triangles,
 // a pair that shares an edge, a pair that shares a node; that a long strip is one part, on several ranks too; and that
 // with it a direct solver gets by with such a part.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Test the solids' mesh: volume and mass, contour, deformation gradients; the derivative of the assembled residual; and
 // particles that must stay outside.
 

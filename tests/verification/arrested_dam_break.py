@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V7: a shallow pile of Bingham fluid comes to rest where lubrication theory says."""
 
 import numpy as np

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V6: the front of the collapsing column follows the experiment of Martin & Moyce."""
 
 import numpy as np

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draw the figures of doc/benchmarks/verification.md from the runs of the checks: draw_figures.py RUNS DIRECTORY"""
 
 import pathlib

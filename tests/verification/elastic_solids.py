@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V8 (in space too), V9 and V2 of elastic solids: cantilevers, vibrations, free flight, hydrostatic load, a floating block."""
 
 import numpy as np

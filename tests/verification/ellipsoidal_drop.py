@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V5 in space: the semi-axes of an inviscid drop follow the exact solution; volume and energy are kept.
 
 With u = (s x, s y, −2 s z), the pressure −(ρ k/2) (1 − r²/a² − z²/c²) and the semi-axes a, a, c the equations of motion are

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V5: the semi-axes of the inviscid drop follow the exact solution; volume and energy are kept."""
 
 import numpy as np

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V9: free fall and rigid rotation keep momentum, angular momentum, energy and shape.
 
 The statistics file has ten digits, hence 1e-9 for what is exact.

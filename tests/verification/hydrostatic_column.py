@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V1: fluid at rest has the hydrostatic pressure to round-off and stays at rest."""
 
 from verification import Check, read_run, run_check, volume_changes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The coupled and the segregated scheme agree on front and pressure within the nonlinear tolerance."""
 
 import numpy as np

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """B2, the mini slump cone, on a coarse mesh: spread and height after the collapse against the theory of thin layers.
 
 Theory: contrib/plot/thin_layer.py, with the radial stress above the bed. It has no inertia, so it counts from the time on at

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in space: fluid at rest stays at rest with the hydrostatic pressure (V1); a plane flow is that of the plane."""
 
 from verification import Check, read_run, run_check, volume_changes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the verification checks share: run lahar, read its statistics, compare with a reference, report.
 
 Needs numpy and contrib/plot/lahar_output.py. A check exits with 0 if every quantity holds its tolerance, 1 with one line

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """V4: the standing wave has the period and the decay of Prosperetti's solution."""
 
 import numpy as np

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_assembly_fluid_cell_h
 #define lahar_assembly_fluid_cell_h
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_boundary_slip_condition_h
 #define lahar_boundary_slip_condition_h
 
 #include <lahar/boundary/walls.h>
-#include <lahar/linear/block_system.h>
+#include <lahar/linear/node_constraint.h>
 #include <lahar/particles/particle_cloud.h>
 
 #include <vector>

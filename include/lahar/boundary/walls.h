@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_boundary_walls_h
 #define lahar_boundary_walls_h
 

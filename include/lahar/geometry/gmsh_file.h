@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_geometry_gmsh_file_h
 #define lahar_geometry_gmsh_file_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_geometry_solid_shape_h
 #define lahar_geometry_solid_shape_h
 

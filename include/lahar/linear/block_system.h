@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_linear_block_system_h
 #define lahar_linear_block_system_h
 

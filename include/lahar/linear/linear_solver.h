@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_linear_linear_solver_h
 #define lahar_linear_linear_solver_h
 

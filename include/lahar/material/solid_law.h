@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_material_solid_law_h
 #define lahar_material_solid_law_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_particles_particle_cloud_h
 #define lahar_particles_particle_cloud_h
 

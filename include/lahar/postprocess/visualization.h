@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_postprocess_visualization_h
 #define lahar_postprocess_visualization_h
 

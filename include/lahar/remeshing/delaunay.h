@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_remeshing_delaunay_h
 #define lahar_remeshing_delaunay_h
 

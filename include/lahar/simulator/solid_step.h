@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_simulator_solid_step_h
 #define lahar_simulator_solid_step_h
 

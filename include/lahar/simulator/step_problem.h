@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_simulator_step_problem_h
 #define lahar_simulator_step_problem_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_solid_solids_h
 #define lahar_solid_solids_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_utilities_sort_in_buckets_h
 #define lahar_utilities_sort_in_buckets_h
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef lahar_utilities_stop_signal_h
 #define lahar_utilities_stop_signal_h
 
