@@ -64,12 +64,13 @@ namespace Lahar
   {
     for (unsigned int I = 0; I <= dim; ++I)
     {
-      cell.velocity[I]          = state.velocity[vertices[I]];
-      cell.acceleration[I]      = state.acceleration[vertices[I]];
-      cell.pressure[I]          = state.pressure[vertices[I]];
-      cell.old_pressure[I]      = state.old_pressure[vertices[I]];
-      cell.old_pressure_rate[I] = state.old_pressure_rate[vertices[I]];
-      cell.position_factor[I]   = state.position_factor[vertices[I]];
+      cell.velocity[I]            = state.velocity[vertices[I]];
+      cell.acceleration[I]        = state.acceleration[vertices[I]];
+      cell.pressure[I]            = state.pressure[vertices[I]];
+      cell.old_pressure[I]        = state.old_pressure[vertices[I]];
+      cell.old_pressure_rate[I]   = state.old_pressure_rate[vertices[I]];
+      cell.velocity_factor[I]     = state.velocity_factor[vertices[I]];
+      cell.acceleration_factor[I] = state.acceleration_factor[vertices[I]];
     }
   }
 
@@ -90,7 +91,7 @@ namespace Lahar
       const double edge = cell.edge();
       const double mu   = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
       state.stabilization_viscosity[c] = mu;
-      state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.factors.time_step);
+      state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.time_step);
     }
 
     state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
@@ -147,7 +148,7 @@ namespace Lahar
 
       Tensor<2, dim> delta_L;
       for (unsigned int I = 0; I <= dim; ++I)
-        delta_L += outer_product(increment[vertices[I]], cell.gradients[I]);
+        delta_L += cell.velocity_factor[I] * outer_product(increment[vertices[I]], cell.gradients[I]);
       const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) -
                                               trace(delta_L) / 3. * unit_symmetric_tensor<dim>();
 
@@ -173,7 +174,7 @@ namespace Lahar
     {
       for (unsigned int a = 0; a < dim; ++a)
         system.matrix[I * (dim + 1) + a][I * (dim + 1) + a] = cell.law->density() * part *
-                                                              cell.factors.acceleration_factor;
+                                                              cell.acceleration_factor[I];
       system.matrix[I * (dim + 1) + dim][I * (dim + 1) + dim] = cell.stabilization *
                                                                 std::pow(part, 1. - 2. / dim);
     }
@@ -197,9 +198,9 @@ namespace Lahar
 
     FluidCell<dim> cell;
     CellSystem<dim> cell_system;
-    cell.law     = &law;
-    cell.gravity = gravity;
-    cell.factors = state.factors;
+    cell.law       = &law;
+    cell.gravity   = gravity;
+    cell.time_step = state.time_step;
 
     AssertDimension(mesh.n_cells(), system.cells().size());
     system.set_zero();
@@ -207,9 +208,10 @@ namespace Lahar
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
-      const auto corners = corners_of<dim>(mesh.cells()[c], state.position);
-      cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
-      cell.stabilization = state.stabilization[c];
+      const auto corners           = corners_of<dim>(mesh.cells()[c], state.position);
+      cell.old_volume              = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
+      cell.stabilization           = state.stabilization[c];
+      cell.stabilization_viscosity = state.stabilization_viscosity[c];
       if (state.left_out[c])
       {
         leave_out(cell, cell_system);

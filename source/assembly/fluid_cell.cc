@@ -22,13 +22,11 @@ namespace Lahar
     deviator           = symmetrize(velocity_gradient) - third * unit_symmetric_tensor<dim>();
     strain_rate        = std::sqrt(2. * (deviator * deviator + (3 - dim) * third * third));
 
+    motion = linearize_motion ? time_step : 0.;
     for (unsigned int J = 0; J < n_nodes; ++J)
-    {
-      motion[J] = linearize_motion ? position_factor[J] : 0.;
       for (unsigned int b = 0; b < dim; ++b)
         for (unsigned int i = 0; i < dim; ++i)
-          w[J][b][i] = (i == b ? 1. : 0.) - motion[J] * velocity_gradient[i][b];
-    }
+          w[J][b][i] = (i == b ? velocity_factor[J] : 0.) - motion * velocity_gradient[i][b];
   }
 
 

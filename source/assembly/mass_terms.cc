@@ -12,10 +12,7 @@ namespace Lahar
     const auto &G        = cell.gradients;
     const double V       = cell.volume;
     const double p       = cell.mean_pressure();
-    const bool implicit  = cell.moves_implicitly();
-    const double dt      = cell.factors.time_step;
-    const double div     = trace(cell.velocity_gradient);
-    const double growth  = implicit ? (V - cell.old_volume) / dt : V * div;
+    const double growth  = (V - cell.old_volume) / cell.time_step;
 
     for (unsigned int I = 0; I < n; ++I)
     {
@@ -26,18 +23,16 @@ namespace Lahar
       for (unsigned int J = 0; J < n; ++J)
         for (unsigned int b = 0; b < dim; ++b)
         {
-          const double s_V = cell.motion[J] * V;
+          const double s_V = cell.motion * V;
           system.matrix[S::index(I, b)][S::pressure_index(J)] += V / n * G[I][b];
-          system.matrix[S::pressure_index(I)][S::index(J, b)] -=
-            implicit ? cell.position_factor[J] * V / (n * dt) * G[J][b]
-                     : V / n * (cell.w[J][b] * G[J]) + s_V / n * G[J][b] * div;
+          system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * G[J][b];
           for (unsigned int a = 0; a < dim; ++a)
             system.matrix[S::index(I, a)][S::index(J, b)] += s_V * p *
                                                              (G[J][b] * G[I][a] - G[J][a] * G[I][b]);
         }
     }
 
-    const double compressibility = cell.law->compressibility() / cell.factors.time_step;
+    const double compressibility = cell.law->compressibility() / cell.time_step;
     if (compressibility > 0.)
       for (unsigned int I = 0; I < n; ++I)
       {
@@ -50,7 +45,7 @@ namespace Lahar
         system.residual[S::pressure_index(I)] += V * rate;
         for (unsigned int J = 0; J < n; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion[J] * V * G[J][b] * rate;
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * V * G[J][b] * rate;
       }
   }
 
@@ -69,7 +64,6 @@ namespace Lahar
       const double tau_V          = cell.stabilization * cell.volume;
       const Tensor<1, dim> grad_p = cell.pressure_gradient();
       const Tensor<1, dim> q      = cell.momentum_residual(inertia_density) - cell.residual_projection;
-      const double mass_factor    = inertia_density * cell.factors.acceleration_factor / n;
 
       for (unsigned int I = 0; I < n; ++I)
       {
@@ -78,11 +72,12 @@ namespace Lahar
         for (unsigned int J = 0; J < n; ++J)
         {
           const double GG = G[I] * G[J], GJ_q = G[J] * q;
+          const double mass_factor = inertia_density * cell.acceleration_factor[J] / n;
           system.matrix[S::pressure_index(I)][S::pressure_index(J)] += tau_V * GG;
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::pressure_index(I)][S::index(J, b)] +=
               tau_V *
-              (-mass_factor * G[I][b] + cell.motion[J] * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
+              (-mass_factor * G[I][b] + cell.motion * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
         }
       }
     }
@@ -96,7 +91,7 @@ namespace Lahar
     using S = CellSystem<dim>;
     assemble_gradient_term(cell, 0., system);
 
-    const double dt = cell.factors.time_step;
+    const double dt = cell.time_step;
     const double c  = cell.stabilization * cell.law->density() * cell.law->compressibility() / (dt * dt);
     if (c > 0.)
       for (unsigned int I = 0; I <= dim; ++I)
@@ -111,7 +106,7 @@ namespace Lahar
         system.residual[S::pressure_index(I)] += cell.volume * rate;
         for (unsigned int J = 0; J <= dim; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion[J] * cell.volume *
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * cell.volume *
                                                                    cell.gradients[J][b] * rate;
       }
   }
@@ -163,9 +158,9 @@ namespace Lahar
           const double deviatoric = (cell.w[J][b] * Gk) * Gk_GJ - (cell.w[J][b] * G[J]) * Gk_square / 3.;
           double entry            = c_d * deviatoric;
           if (J != k)
-            entry += c_a * cell.face_mass(I, J) * cell.factors.acceleration_factor * Gk[b];
-          entry += cell.motion[J] * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
-                                                                   2. * c_d * (d_Gk * G[J])));
+            entry += c_a * cell.face_mass(I, J) * cell.acceleration_factor[J] * Gk[b];
+          entry += cell.motion * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
+                                                                2. * c_d * (d_Gk * G[J])));
           system.matrix[S::pressure_index(I)][S::index(J, b)] += entry;
         }
       }

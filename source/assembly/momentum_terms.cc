@@ -24,9 +24,9 @@ namespace Lahar
         for (unsigned int J = 0; J < n; ++J)
         {
           system.matrix[S::index(I, a)][S::index(J, a)] += mass * cell.mass(I, J) *
-                                                           cell.factors.acceleration_factor;
+                                                           cell.acceleration_factor[J];
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion[J] * cell.gradients[J][b] * force[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
         }
       }
     }
@@ -45,7 +45,7 @@ namespace Lahar
         system.residual[S::index(I, a)] += force[a];
         for (unsigned int J = 0; J <= dim; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion[J] * cell.gradients[J][b] * force[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
       }
   }
 
@@ -131,7 +131,7 @@ namespace Lahar
       for (unsigned int b = 0; b < dim; ++b)
       {
         const Tensor<1, dim> &w = cell.w[J][b];
-        const double w_G = w * G[J], w_A = w * A[J], w_B = w * B[J], s_V = cell.motion[J] * cell.volume;
+        const double w_G = w * G[J], w_A = w * A[J], w_B = w * B[J], s_V = cell.motion * cell.volume;
         for (unsigned int I = 0; I < n; ++I)
         {
           const double w_GI = w * G[I], GG = G[I] * G[J];

@@ -19,9 +19,10 @@ namespace Lahar
         SlipCondition<dim>::release(i, cloud);
         cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
         cloud.velocity[i] += time_step * gravity;
-        cloud.acceleration[i]  = gravity;
-        cloud.pressure[i]      = 0.;
-        cloud.pressure_rate[i] = 0.;
+        cloud.acceleration[i]             = gravity;
+        cloud.algorithmic_acceleration[i] = gravity;
+        cloud.pressure[i]                 = 0.;
+        cloud.pressure_rate[i]            = 0.;
       }
   }
 
@@ -48,9 +49,10 @@ namespace Lahar
         }
       if (fraction < 1.)
       {
-        cloud.position[i]     = old_position[i] + fraction * path;
-        cloud.velocity[i]     = Tensor<1, dim>();
-        cloud.acceleration[i] = Tensor<1, dim>();
+        cloud.position[i]                 = old_position[i] + fraction * path;
+        cloud.velocity[i]                 = Tensor<1, dim>();
+        cloud.acceleration[i]             = Tensor<1, dim>();
+        cloud.algorithmic_acceleration[i] = Tensor<1, dim>();
       }
     }
   }

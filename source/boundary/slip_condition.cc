@@ -45,6 +45,8 @@ namespace Lahar
       const Tensor<1, dim> &normal = fixed.frame[a];
       cloud.velocity[particle] -= (cloud.velocity[particle] * normal) * normal;
       cloud.acceleration[particle] -= (cloud.acceleration[particle] * normal) * normal;
+      cloud.algorithmic_acceleration[particle] -= (cloud.algorithmic_acceleration[particle] * normal) *
+                                                  normal;
     }
     for (const int other : slots)
       if (other != ParticleCloud<dim>::no_facet && other != static_cast<int>(facet))

@@ -164,8 +164,9 @@ namespace Lahar
     const auto shares        = nearest_shares(corners, cloud.position[particle]);
     cloud.position[particle] = point_of<dim>(corners, shares) +
                                clearance * cloud.spacing[particle] * shapes.normal(f);
-    cloud.velocity[particle]     = mean(cloud.velocity, particles[f], shares);
-    cloud.acceleration[particle] = Tensor<1, dim>();
+    cloud.velocity[particle]                 = mean(cloud.velocity, particles[f], shares);
+    cloud.acceleration[particle]             = Tensor<1, dim>();
+    cloud.algorithmic_acceleration[particle] = Tensor<1, dim>();
   }
 
 

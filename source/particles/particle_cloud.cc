@@ -30,6 +30,7 @@ namespace Lahar
     position.push_back(new_position);
     velocity.emplace_back();
     acceleration.emplace_back();
+    algorithmic_acceleration.emplace_back();
     pressure.push_back(0.);
     pressure_rate.push_back(0.);
     kind.push_back(new_kind);
@@ -46,13 +47,14 @@ namespace Lahar
   template <int dim>
   unsigned int ParticleCloud<dim>::append_midpoint(const unsigned int a, const unsigned int b)
   {
-    const unsigned int i = append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
-                                  0.5 * (spacing[a] + spacing[b]));
-    velocity[i]          = 0.5 * (velocity[a] + velocity[b]);
-    acceleration[i]      = 0.5 * (acceleration[a] + acceleration[b]);
-    pressure[i]          = 0.5 * (pressure[a] + pressure[b]);
-    pressure_rate[i]     = 0.5 * (pressure_rate[a] + pressure_rate[b]);
-    owner[i]             = owner[a];
+    const unsigned int i        = append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
+                                         0.5 * (spacing[a] + spacing[b]));
+    velocity[i]                 = 0.5 * (velocity[a] + velocity[b]);
+    acceleration[i]             = 0.5 * (acceleration[a] + acceleration[b]);
+    algorithmic_acceleration[i] = 0.5 * (algorithmic_acceleration[a] + algorithmic_acceleration[b]);
+    pressure[i]                 = 0.5 * (pressure[a] + pressure[b]);
+    pressure_rate[i]            = 0.5 * (pressure_rate[a] + pressure_rate[b]);
+    owner[i]                    = owner[a];
 
     unsigned int n_shared = 0;
     for (const int facet : slip_facets[a])
@@ -76,6 +78,7 @@ namespace Lahar
     compress(position, removed);
     compress(velocity, removed);
     compress(acceleration, removed);
+    compress(algorithmic_acceleration, removed);
     compress(pressure, removed);
     compress(pressure_rate, removed);
     compress(kind, removed);
@@ -98,6 +101,7 @@ namespace Lahar
       *value++ = position[i][d];
       *value++ = velocity[i][d];
       *value++ = acceleration[i][d];
+      *value++ = algorithmic_acceleration[i][d];
       *value++ = slip_facets[i][d];
     }
     for (const double x : {pressure[i], pressure_rate[i], spacing[i], static_cast<double>(kind[i]),
@@ -114,10 +118,11 @@ namespace Lahar
     const double *value = record.data();
     for (unsigned int d = 0; d < dim; ++d)
     {
-      position[i][d]     = *value++;
-      velocity[i][d]     = *value++;
-      acceleration[i][d] = *value++;
-      slip_facets[i][d]  = static_cast<int>(*value++);
+      position[i][d]                 = *value++;
+      velocity[i][d]                 = *value++;
+      acceleration[i][d]             = *value++;
+      algorithmic_acceleration[i][d] = *value++;
+      slip_facets[i][d]              = static_cast<int>(*value++);
     }
     pressure[i]      = *value++;
     pressure_rate[i] = *value++;

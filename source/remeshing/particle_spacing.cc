@@ -242,12 +242,14 @@ namespace Lahar
           news[1] = 1;
         for (const unsigned int a : removal.moved)
         {
-          changes.merged[a]      = 1.;
-          cloud.position[a]      = removal.place;
-          cloud.velocity[a]      = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
-          cloud.acceleration[a]  = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
-          cloud.pressure[a]      = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
-          cloud.pressure_rate[a] = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
+          changes.merged[a]                 = 1.;
+          cloud.position[a]                 = removal.place;
+          cloud.velocity[a]                 = 0.5 * (cloud.velocity[a] + cloud.velocity[b]);
+          cloud.acceleration[a]             = 0.5 * (cloud.acceleration[a] + cloud.acceleration[b]);
+          cloud.algorithmic_acceleration[a] = 0.5 * (cloud.algorithmic_acceleration[a] +
+                                                     cloud.algorithmic_acceleration[b]);
+          cloud.pressure[a]                 = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
+          cloud.pressure_rate[a]            = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
         }
       }
       // What this rank thinks of others' particles may be wrong at the rim of its region: their owners know.

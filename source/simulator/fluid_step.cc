@@ -11,16 +11,20 @@ namespace Lahar
   {
     /// A cell keeps this part of its volume in every iteration.
     constexpr double smallest_volume_ratio = 0.2;
+
+    /// Mean velocities are expected to be v_n + this part of Δt dv/dt.
+    constexpr double predicted_part = 0.5;
   } // namespace
 
 
 
   template <int dim>
   void FluidStep<dim>::start(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                             const TimeIntegration &new_integration, const std::vector<bool> &arrives)
+                             const TimeIntegration &new_integration, const std::vector<bool> &new_impulsive)
   {
     mesh              = &new_mesh;
     integration       = new_integration;
+    impulsive         = new_impulsive;
     const auto gather = [&](const auto &of_cloud, auto &of_vertices) {
       of_vertices.resize(mesh->n_vertices());
       for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
@@ -29,43 +33,45 @@ namespace Lahar
     gather(cloud.position, state.old_position);
     gather(cloud.velocity, state.old_velocity);
     gather(cloud.acceleration, state.old_acceleration);
+    gather(cloud.algorithmic_acceleration, state.old_algorithmic_acceleration);
     gather(cloud.pressure, state.old_pressure);
     gather(cloud.pressure_rate, state.old_pressure_rate);
-    state.factors = integration.factors();
-    state.position_factor.resize(mesh->n_vertices());
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      state.position_factor[v] = integration.position_factor(arrives[v] && cloud.kind[mesh->particle(v)] !=
-                                                                             ParticleKind::solid);
-    state.pressure     = state.old_pressure;
-    state.velocity     = state.old_velocity;
-    state.position     = state.old_position;
-    state.acceleration = state.old_acceleration;
-  }
-
-
-
-  template <int dim>
-  void FluidStep<dim>::move(const std::vector<Tensor<1, dim>> &velocities)
-  {
-    AssertDimension(velocities.size(), mesh->n_vertices());
-    state.velocity = velocities;
+    state.time_step = integration.length();
+    state.velocity_factor.resize(mesh->n_vertices());
+    state.acceleration_factor.resize(mesh->n_vertices());
+    state.mean_velocity = state.old_velocity;
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      state.acceleration[v] = integration.acceleration(state.velocity[v], state.old_velocity[v],
-                                                       state.old_acceleration[v]);
-      state.position[v]     = state.old_position[v] + integration.displacement(state.velocity[v],
-                                                                               state.old_velocity[v],
-                                                                               state.position_factor[v]);
+      state.velocity_factor[v]     = integration.velocity_factor(impulsive[v]);
+      state.acceleration_factor[v] = integration.acceleration_factor(impulsive[v]);
+      if (!impulsive[v])
+        state.mean_velocity[v] += predicted_part * state.time_step * state.old_acceleration[v];
     }
+    state.pressure                 = state.old_pressure;
+    state.velocity                 = state.old_velocity;
+    state.position                 = state.old_position;
+    state.acceleration             = state.old_acceleration;
+    state.algorithmic_acceleration = state.old_algorithmic_acceleration;
   }
 
 
 
   template <int dim>
-  Tensor<1, dim> FluidStep<dim>::slowed_velocity(const unsigned int v, const double part) const
+  void FluidStep<dim>::move(const std::vector<Tensor<1, dim>> &mean_velocities)
   {
-    const double rest = state.factors.time_step / state.position_factor[v] - 1.;
-    return (part * (1. + rest) - rest) * state.old_velocity[v];
+    AssertDimension(mean_velocities.size(), mesh->n_vertices());
+    state.mean_velocity = mean_velocities;
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+    {
+      const Motion<dim> end             = integration.end_of_step<dim>(mean_velocities[v],
+                                                           {state.old_velocity[v], state.old_acceleration[v],
+                                                                        state.old_algorithmic_acceleration[v]},
+                                                           impulsive[v]);
+      state.velocity[v]                 = end.velocity;
+      state.acceleration[v]             = end.acceleration;
+      state.algorithmic_acceleration[v] = end.algorithmic_acceleration;
+      state.position[v]                 = state.old_position[v] + state.time_step * mean_velocities[v];
+    }
   }
 
 
@@ -113,12 +119,13 @@ namespace Lahar
   {
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      const unsigned int i   = mesh->particle(v);
-      cloud.position[i]      = state.position[v];
-      cloud.velocity[i]      = state.velocity[v];
-      cloud.acceleration[i]  = state.acceleration[v];
-      cloud.pressure_rate[i] = (state.pressure[v] - state.old_pressure[v]) / state.factors.time_step;
-      cloud.pressure[i]      = state.pressure[v];
+      const unsigned int i              = mesh->particle(v);
+      cloud.position[i]                 = state.position[v];
+      cloud.velocity[i]                 = state.velocity[v];
+      cloud.acceleration[i]             = state.acceleration[v];
+      cloud.algorithmic_acceleration[i] = state.algorithmic_acceleration[v];
+      cloud.pressure_rate[i]            = (state.pressure[v] - state.old_pressure[v]) / state.time_step;
+      cloud.pressure[i]                 = state.pressure[v];
     }
   }
 

@@ -35,10 +35,11 @@ namespace Lahar
         own_nodes.push_back(i);
       }
 
-    state = solids->state();
+    state           = solids->state();
+    mean_velocities = state.velocity;
     for (unsigned int i = 0; i < solid_mesh.n_nodes(); ++i)
       if (solids->is_fixed(i))
-        state.velocity[i] = solids->prescribed_velocity(i, end_time);
+        mean_velocities[i] = solids->prescribed_velocity(i, end_time - 0.5 * integration.length());
   }
 
 
@@ -102,16 +103,20 @@ namespace Lahar
 
 
   template <int dim>
-  void SolidStep<dim>::move(const std::vector<Tensor<1, dim>> &velocities)
+  void SolidStep<dim>::move(const std::vector<Tensor<1, dim>> &new_mean_velocities)
   {
+    mean_velocities            = new_mean_velocities;
     const SolidState<dim> &old = solids->state();
     for (unsigned int i = 0; i < system_nodes.size(); ++i)
     {
-      state.velocity[i]     = velocities[i];
-      state.acceleration[i] = integration.acceleration(state.velocity[i], old.velocity[i],
-                                                       old.acceleration[i]);
-      state.position[i]     = old.position[i] + integration.displacement(state.velocity[i], old.velocity[i],
-                                                                         integration.position_factor(false));
+      const Motion<dim> end             = integration.end_of_step<dim>(mean_velocities[i],
+                                                           {old.velocity[i], old.acceleration[i],
+                                                                        old.algorithmic_acceleration[i]},
+                                                           solids->is_fixed(i));
+      state.velocity[i]                 = end.velocity;
+      state.acceleration[i]             = end.acceleration;
+      state.algorithmic_acceleration[i] = end.algorithmic_acceleration;
+      state.position[i]                 = old.position[i] + integration.length() * mean_velocities[i];
     }
   }
 
@@ -130,8 +135,7 @@ namespace Lahar
   bool SolidStep<dim>::assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const
   {
     return system_nodes.empty() ||
-           assembler.assemble(*solids, state,
-                              {integration.position_factor(false), integration.factors().acceleration_factor},
+           assembler.assemble(*solids, state, {integration.length(), integration.acceleration_factor(false)},
                               gravity, external_forces, system_nodes, system);
   }
 

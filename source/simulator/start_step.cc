@@ -25,14 +25,19 @@ namespace Lahar
     linear_solver->forget();
 
     // What is told by vertex is by those of the region's mesh.
-    std::vector<bool> arrives_here, can_be_held(constraints.size(), false);
+    std::vector<bool> impulsive, can_be_held(constraints.size(), false);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
       const unsigned int node = system.local_number(v);
-      arrives_here.push_back(arrives[system.partition().nodes()[node]]);
+      impulsive.push_back(arrives[system.partition().nodes()[node]] || constraints[node].n_fixed == dim);
       can_be_held[node] = cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
     }
-    fluid.start(*mesh, cloud, time_integration, arrives_here);
+    fluid.start(*mesh, cloud, time_integration, impulsive);
+    double spacing = 0.;
+    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
+      spacing += cloud.spacing[mesh->particle(v)];
+    mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
+                   std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
     held_vertices.start_step(can_be_held);
     crushed_cells.start_step(mesh->n_cells());
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
@@ -44,7 +49,7 @@ namespace Lahar
       assembler.start_plastic_dual(*mesh, law, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
-      velocities[node] = solid.velocity(i); // the prescribed ones
+      velocities[node] = solid.mean_velocity(i); // the prescribed ones
     slow_down(velocities);
     solid.move(solid.gather(system.partition(), velocities));
     set_norms();
@@ -57,6 +62,7 @@ namespace Lahar
   {
     // The vertices of flattened simplices move less; if they do not move at all, nothing is flattened. Walls and solids
     // keep their velocities; a driven solid may leave no room.
+    const std::vector<Tensor<1, dim>> expected = velocities;
     fluid.move(by_vertex(velocities));
     std::vector<double> motion(constraints.size(), 1.);
     const std::vector<double> old_volumes = fluid.old_volumes();
@@ -78,7 +84,8 @@ namespace Lahar
       system.partition().update(motion);
       for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
         if (motion[system.local_number(v)] < 1.)
-          velocities[system.local_number(v)] = fluid.slowed_velocity(v, motion[system.local_number(v)]);
+          velocities[system.local_number(v)] = motion[system.local_number(v)] *
+                                               expected[system.local_number(v)];
       fluid.move(by_vertex(velocities));
     }
   }

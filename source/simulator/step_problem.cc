@@ -14,6 +14,11 @@ namespace Lahar
   {
     /// Increments that would invert simplices even at this part of their length are not taken.
     constexpr double shortest_step = 1e-3;
+
+    // What increments are compared with at least: velocities, with this part of what gravity makes in a step and of the
+    // speed of sound in solids; pressures, with those that make this part of the velocities.
+    constexpr double negligible_acceleration = 1e-3;
+    constexpr double negligible_sound        = 1e-8;
   } // namespace
 
 
@@ -47,10 +52,10 @@ namespace Lahar
   template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::node_velocities() const
   {
-    std::vector<Tensor<1, dim>> velocities = by_node(fluid.state.velocity);
+    std::vector<Tensor<1, dim>> velocities = by_node(fluid.state.mean_velocity);
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
       if (!system.is_fluid(node))
-        velocities[node] = solid.velocity(i);
+        velocities[node] = solid.mean_velocity(i);
     return velocities;
   }
 
@@ -73,15 +78,16 @@ namespace Lahar
     }
     Utilities::MPI::sum(ArrayView<const double>(sums, 4), communicator(), ArrayView<double>(sums, 4));
     const auto [v, dv, p, dp] = sums;
-    // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound.
-    const double n_nodes = system.n_nodes();
-    const double v_floor = (1e-8 * gravity.norm() * fluid.state.factors.time_step +
-                            1e-8 * solid.speed_of_sound()) *
-                             std::sqrt(n_nodes) +
+    // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
+    // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
+    const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
+                            negligible_sound * solid.speed_of_sound()) *
+                             std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
-    const double p_floor = v_floor * fluid_law->density() * (1. + std::sqrt(v / n_nodes));
     velocity_norm        = std::max(std::sqrt(v), v_floor);
-    pressure_norm        = std::max(std::sqrt(p), p_floor);
+    const double p_floor = negligible_acceleration * fluid_law->density() * mean_spacing /
+                           fluid.state.time_step * velocity_norm;
+    pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});
 
     relative_velocity_increment = std::sqrt(dv) / velocity_norm;
     relative_pressure_increment = std::sqrt(dp) / pressure_norm;
@@ -125,8 +131,7 @@ namespace Lahar
       std::vector<SymmetricTensor<2, dim>>().swap(*old);
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
-    const double v_scale = std::max(velocity_norm,
-                                    gravity.norm() * fluid.state.factors.time_step * length * 1e-3);
+    const double v_scale = std::max(velocity_norm, gravity.norm() * fluid.state.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
     const unsigned int n_iterations = linear_solver->solve(system, {v_scale, p_scale, negligible}, solution);
     start_increment();

@@ -36,8 +36,8 @@ namespace Lahar
     prm.declare_entry("Largest number of nodes", "1000000", Patterns::Anything(),
                       "A case is refused if its solids ask for more nodes than this, 1 to 100000000.");
     prm.declare_entry(
-      "Newmark gamma", "0.5", Patterns::Anything(),
-      "Newmark's γ for the solids, 0.5 to 1. 0.5 keeps the energy; larger values damp vibrations.");
+      "Newmark gamma", "1.5", Patterns::Anything(),
+      "Newmark's γ for the solids, 0.5 to 1.5. 0.5 keeps the energy; larger values damp vibrations.");
     for (unsigned int body = 0; body < n_bodies; ++body)
     {
       prm.enter_subsection(body_name(body));
@@ -56,7 +56,7 @@ namespace Lahar
     bodies.resize(prm.get_count("Number of solids", 0, maximum));
     degree    = prm.get_count("Degree", 1, 2);
     max_nodes = prm.get_count("Largest number of nodes", 1, 100000000);
-    gamma     = prm.get_in_range("Newmark gamma", 0.5, 1.);
+    gamma     = prm.get_in_range("Newmark gamma", 0.5, 1.5);
     for (unsigned int body = 0; body < bodies.size(); ++body)
     {
       prm.enter_subsection(body_name(body));
@@ -105,6 +105,7 @@ namespace Lahar
     present.position.resize(n);
     present.velocity.resize(n);
     present.acceleration.assign(n, Tensor<1, dim>());
+    present.algorithmic_acceleration.assign(n, Tensor<1, dim>());
     present.stress.assign(mesh.n_cells() * mesh.points_per_cell(), SymmetricTensor<2, 3>());
     clamped.assign(n, false);
     driven.assign(n, false);
@@ -273,12 +274,13 @@ namespace Lahar
     for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
     {
       cloud.position[i] = present.position[i];
-      cloud.velocity[i] = present.velocity[i];
       if (!in_mesh[i])
       {
-        cloud.acceleration[i]  = present.acceleration[i];
-        cloud.pressure[i]      = 0.;
-        cloud.pressure_rate[i] = 0.;
+        cloud.velocity[i]                 = present.velocity[i];
+        cloud.acceleration[i]             = present.acceleration[i];
+        cloud.algorithmic_acceleration[i] = present.algorithmic_acceleration[i];
+        cloud.pressure[i]                 = 0.;
+        cloud.pressure_rate[i]            = 0.;
       }
     }
   }

@@ -11,8 +11,9 @@
 namespace Tests
 {
   /**
-   * Creeping flow on a mesh that stands still: neither inertia nor motion of the geometry. The time step enters the
-   * stabilisation parameter and the compressibility. On several ranks each has a part of the mesh.
+   * Creeping flow without inertia on a mesh that moves so little in a step that its geometry stays, but for the cells'
+   * volumes in the mass equation. The length given as time step enters the stabilisation parameter. On several ranks each
+   * has a part of the mesh.
    */
   template <int dim>
   class Stokes
@@ -36,17 +37,19 @@ namespace Tests
       for (unsigned int v = 0; v < n; ++v)
         state.position.push_back(cloud.position[mesh.particle(v)]);
       state.old_position = state.position;
-      state.velocity = state.acceleration = state.old_velocity = state.old_acceleration =
-        std::vector<Tensor<1, dim>>(n);
+      state.velocity = state.mean_velocity = state.acceleration = state.old_velocity =
+        state.old_acceleration                                  = std::vector<Tensor<1, dim>>(n);
       state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(n, 0.);
-      state.factors                                                 = {time_step, 0.};
-      state.position_factor                                         = std::vector<double>(n, 0.);
+      stabilization_step                                            = time_step;
+      state.velocity_factor                                         = std::vector<double>(n, 1.);
+      state.acceleration_factor                                     = std::vector<double>(n, 0.);
       constraints.resize(n);
       set_stabilization();
     }
 
     void set_stabilization()
     {
+      state.time_step = stabilization_step;
       assembler.set_stabilization(mesh, law, gravity, state);
       system.partition().update(state.residual_projection);
     }
@@ -81,10 +84,14 @@ namespace Tests
       typename FluidAssembler<dim>::Linearization linearization;
       linearization.viscosity = viscosity;
       linearization.motion    = false;
+      state.time_step         = 1e-6; // times a velocity of order one: what the nodes move, in lengths
+      for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+        state.position[v] = state.old_position[v] + state.time_step * state.velocity[v];
       assembler.assemble(mesh, law, gravity, state, linearization, system);
     }
 
     FluidMesh<dim> mesh; ///< what this rank knows
+    double stabilization_step = 0.;
     const FluidLaw &law;
     Tensor<1, dim> gravity;
     FluidAssembler<dim> assembler;

@@ -76,8 +76,9 @@ void test(const unsigned int n)
   gravity[dim - 1] = -9.81;
   FluidState<dim> state;
   std::vector<NodeConstraint<dim>> constraints(n_vertices);
-  state.factors = {1e-3, 1. / 0.7e-3};
-  state.position_factor.assign(n_vertices, 5e-4);
+  state.time_step = 1e-3;
+  state.velocity_factor.assign(n_vertices, 1.5);
+  state.acceleration_factor.assign(n_vertices, 2. / state.time_step);
   state.velocity.resize(n_vertices);
   for (unsigned int v = 0; v < n_vertices; ++v)
   {

@@ -30,10 +30,11 @@ void test()
     check("a new particle is at rest, without pressure and contact",
           cloud.velocity[i].norm() == 0. && cloud.acceleration[i].norm() == 0. && cloud.pressure[i] == 0. &&
             cloud.pressure_rate[i] == 0. && !cloud.on_slip_wall(i));
-    cloud.velocity[i]      = random.vector<dim>();
-    cloud.acceleration[i]  = random.vector<dim>();
-    cloud.pressure[i]      = random.number();
-    cloud.pressure_rate[i] = random.number();
+    cloud.velocity[i]                 = random.vector<dim>();
+    cloud.acceleration[i]             = random.vector<dim>();
+    cloud.algorithmic_acceleration[i] = random.vector<dim>();
+    cloud.pressure[i]                 = random.number();
+    cloud.pressure_rate[i]            = random.number();
   }
   check("numbers of each kind", cloud.n_particles(ParticleKind::wall) == 2 &&
                                   cloud.n_particles(ParticleKind::fluid) == 4 &&

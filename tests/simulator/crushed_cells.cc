@@ -54,8 +54,9 @@ struct Problem
     parse(assembler, "subsection Stabilization\n set Form = residual\nend\n");
     gravity[dim - 1]     = -9.81;
     const unsigned int n = mesh.n_vertices();
-    state.factors        = {1e-3, 1. / 0.7e-3};
-    state.position_factor.assign(n, 5e-4);
+    state.time_step      = 1e-3;
+    state.velocity_factor.assign(n, 1.5);
+    state.acceleration_factor.assign(n, 2. / state.time_step);
     for (unsigned int v = 0; v < n; ++v)
     {
       const Point<dim> &x = cloud.position[mesh.particle(v)];

@@ -99,8 +99,9 @@ int main(int argc, char **argv)
   const auto law = make_law("Newtonian",
                             {{"Density", "1000"}, {"Viscosity", "1"}, {"Bulk modulus", "infinite"}});
   FluidState<2> state;
-  state.factors = {1e-2, 200.};
-  state.position_factor.assign(6, 5e-3);
+  state.time_step = 1e-2;
+  state.velocity_factor.assign(6, 1.5);
+  state.acceleration_factor.assign(6, 2. / state.time_step);
   state.old_position = state.position = cloud.position;
   state.velocity = state.old_velocity = state.acceleration = state.old_acceleration =
     std::vector<Tensor<1, 2>>(6);

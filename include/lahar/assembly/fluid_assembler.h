@@ -45,7 +45,7 @@ namespace Lahar
     void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
 
     /**
-     * How Λ follows the velocities when they change by α times @p increment (by vertex) from the present state:
+     * How Λ follows the mean velocities when they change by α times @p increment (by vertex) from the present state:
      * Λ(α) = base + α slope, base = 2 d'/ψ, slope = [2 δd' − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
      */
     void predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,

@@ -16,22 +16,17 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// Δt, and the derivative of the acceleration at the end of the step with respect to the velocity there.
-  struct StepFactors
-  {
-    double time_step           = 0.; ///< Δt, s
-    double acceleration_factor = 0.; ///< ∂a/∂v, 1/s
-  };
-
   /**
    * What the terms of the weak form need to know of one linear simplex at the end of the step.
    *
-   * G_I = ∇N_I and V are those of the present configuration, L = Σ v_I ⊗ G_I. When the velocity of node J changes in
-   * direction e_b, the node moves by s_J e_b, s_J = ∂x_J/∂v_J, so that
+   * The unknown is the corners' mean velocity in the step (TimeIntegration). G_I = ∇N_I and V are those of the present
+   * configuration, v_I velocities at its time, L = Σ v_I ⊗ G_I. When the mean velocity of node J changes in direction e_b,
+   * v_J changes by c_J e_b and the node moves by s e_b, s = Δt, so that
    *
-   *   δV = s_J V G_Jb,   δG_I = −s_J G_Ib G_J,   δL = w_Jb ⊗ G_J with w_Jb = e_b − s_J L e_b.
+   *   δV = s V G_Jb,   δG_I = −s G_Ib G_J,   δL = w_Jb ⊗ G_J with w_Jb = c_J e_b − s L e_b.
    *
-   * With s_J = 0 in #motion the terms leave the derivatives of the geometry out.
+   * With s = 0 in #motion the terms leave the derivatives of the geometry out, but for that of the volume in the mass
+   * equation, without which there is no flow.
    */
   template <int dim>
   struct FluidCell
@@ -46,16 +41,17 @@ namespace Lahar
 
     std::array<Tensor<1, dim>, n_nodes> gradients; ///< G_I, 1/m
     double volume     = 0.;
-    double old_volume = 0.; ///< at the start of the step; needed where moves_implicitly()
+    double old_volume = 0.; ///< at the start of the step
 
     Tensor<2, dim> velocity_gradient; ///< L_ij = ∂v_i/∂x_j
     SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
     double strain_rate = 0.;          ///< γ̇ = sqrt(2 d':d')
 
-    std::array<double, n_nodes> position_factor = {};       ///< ∂x_J/∂v_J, s
-    std::array<double, n_nodes> motion          = {};       ///< s_J: position_factor or zero
+    double time_step                                = 0.;   ///< Δt, s
+    std::array<double, n_nodes> velocity_factor     = {};   ///< c_J
+    std::array<double, n_nodes> acceleration_factor = {};   ///< derivative of the acceleration, 1/s
+    double motion                                   = 0.;   ///< s: Δt or zero
     std::array<std::array<Tensor<1, dim>, dim>, n_nodes> w; ///< w_Jb
-    StepFactors factors;
     Tensor<1, dim> gravity;
     const FluidLaw *law            = nullptr;
     double stabilization           = 0.;  ///< τ_s, m³ s/kg
@@ -65,13 +61,6 @@ namespace Lahar
 
     /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
     void reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion);
-
-    /// Whether a corner moves by Δt v, see TimeIntegration.
-    bool moves_implicitly() const
-    {
-      return std::find(position_factor.begin(), position_factor.end(), factors.time_step) !=
-             position_factor.end();
-    }
 
     double mean_pressure() const
     {

@@ -21,12 +21,15 @@ namespace Lahar
   struct FluidState
   {
     std::vector<Point<dim>> old_position;
-    std::vector<Tensor<1, dim>> old_velocity, old_acceleration;
+    std::vector<Tensor<1, dim>> old_velocity, old_acceleration, old_algorithmic_acceleration;
     std::vector<double> old_pressure, old_pressure_rate;
-    std::vector<double> position_factor; ///< s = ∂x/∂v, s
+    std::vector<double> velocity_factor;     ///< ∂v/∂w
+    std::vector<double> acceleration_factor; ///< ∂(dv/dt)/∂w, 1/s
 
     std::vector<Point<dim>> position;
-    std::vector<Tensor<1, dim>> velocity, acceleration;
+    std::vector<Tensor<1, dim>> mean_velocity;          ///< w, the unknown; see TimeIntegration
+    std::vector<Tensor<1, dim>> velocity, acceleration; ///< at the end of the step
+    std::vector<Tensor<1, dim>> algorithmic_acceleration;
     std::vector<double> pressure;
 
     std::vector<double> stabilization, stabilization_viscosity;
@@ -34,7 +37,7 @@ namespace Lahar
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
     std::vector<bool> left_out;
 
-    StepFactors factors;
+    double time_step = 0.; ///< Δt, s
   };
 } // namespace Lahar
 

@@ -67,8 +67,8 @@ namespace Lahar
 
   /**
    * Pressure and incompressibility: R_I += ∫ ∇N_I p in the momentum rows; in the mass rows
-   * R_I += ∫ N_I (1/κ) (p − p_n)/Δt − ∫ N_I div v. In cells that move implicitly the change of volume itself replaces
-   * the divergence, R_I −= (V − V_n)/((dim+1) Δt): a step of Δt v changes the volume although div v = 0.
+   * R_I += ∫ N_I (1/κ) (p − p_n)/Δt − (V − V_n)/((dim+1) Δt): the change of the cell's volume in the step, which is exact
+   * whatever the velocities at its start are.
    */
   template <int dim>
   struct PressureDivergence

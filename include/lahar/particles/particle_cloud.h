@@ -45,8 +45,10 @@ namespace Lahar
     std::vector<Point<dim>> position;         ///< m
     std::vector<Tensor<1, dim>> velocity;     ///< m/s
     std::vector<Tensor<1, dim>> acceleration; ///< m/s²
-    std::vector<double> pressure;             ///< Pa
-    std::vector<double> pressure_rate;        ///< Pa/s
+    std::vector<Tensor<1, dim>>
+      algorithmic_acceleration;        ///< of the time integration, m/s², see TimeIntegration
+    std::vector<double> pressure;      ///< Pa
+    std::vector<double> pressure_rate; ///< Pa/s
     std::vector<ParticleKind> kind;
     std::vector<double> spacing;                   ///< wanted distance h to the next particles, m
     std::vector<std::array<int, dim>> slip_facets; ///< facets of the slip walls on which the particle slides
@@ -78,7 +80,7 @@ namespace Lahar
     unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing);
 
     /**
-     * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, acceleration,
+     * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
      * pressure, its rate and spacing are their means; it slides on the slip facets that both share and belongs to the
      * owner of @p a. Return its index.
      */
@@ -92,7 +94,7 @@ namespace Lahar
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
     /// A particle as numbers, to send it.
-    using Record = std::array<double, 4 * dim + 6>;
+    using Record = std::array<double, 5 * dim + 6>;
 
     Record record(const unsigned int particle) const;
 
@@ -115,8 +117,8 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &position &velocity &acceleration &pressure &pressure_rate &kind &spacing &slip_facets &number
-        &owner &next_number;
+      archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate &kind
+        &spacing &slip_facets &number &owner &next_number;
     }
   };
 } // namespace Lahar

@@ -20,20 +20,15 @@ namespace Lahar
   {
   public:
     /**
-     * Begin a step with the state of the mesh's particles; the end is set to the start.
-     * @param arrives by vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
+     * Begin a step with the state of the mesh's particles; the end is set to the start, the mean velocities to those that
+     * the accelerations at the start let expect.
+     * @param impulsive by vertex: whether it moves impulsively, see TimeIntegration.
      */
     void start(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-               const TimeIntegration &integration, const std::vector<bool> &arrives);
+               const TimeIntegration &integration, const std::vector<bool> &impulsive);
 
-    /// Set the velocities at the end of the step, by vertex, and what follows from them.
-    void move(const std::vector<Tensor<1, dim>> &velocities);
-
-    /**
-     * The velocity of vertex @p v, not a wall's or a solid's, with which it moves @p part of the way that it would with
-     * its old one; with none of the way it stays where it is.
-     */
-    Tensor<1, dim> slowed_velocity(const unsigned int v, const double part) const;
+    /// Set the mean velocities in the step, by vertex, and what follows from them.
+    void move(const std::vector<Tensor<1, dim>> &mean_velocities);
 
     /// Volumes of the cells at the start and at the end of the step, m³ (m² in the plane).
     std::vector<double> old_volumes() const
@@ -61,6 +56,7 @@ namespace Lahar
 
     const FluidMesh<dim> *mesh = nullptr;
     TimeIntegration integration;
+    std::vector<bool> impulsive; ///< by vertex
   };
 } // namespace Lahar
 

@@ -21,7 +21,7 @@ namespace Lahar
   class SolidStep
   {
   public:
-    /// Begin a step of @p solids that ends at @p end_time, with the velocities of its start or the prescribed ones.
+    /// Begin a step of @p solids that ends at @p end_time, with the velocities of its start or the prescribed ones as mean ones.
     void start(const Solids<dim> &solids, const FluidMesh<dim> &mesh, const TimeIntegration &integration,
                const double end_time);
 
@@ -55,12 +55,12 @@ namespace Lahar
     std::vector<Tensor<1, dim>> gather(const NodePartition &partition,
                                        const std::vector<Tensor<1, dim>> &values) const;
 
-    /// Set the velocities of all nodes, and what follows from them.
-    void move(const std::vector<Tensor<1, dim>> &velocities);
+    /// Set the mean velocities of all nodes in the step, and what follows from them.
+    void move(const std::vector<Tensor<1, dim>> &mean_velocities);
 
-    const Tensor<1, dim> &velocity(const unsigned int node) const
+    const Tensor<1, dim> &mean_velocity(const unsigned int node) const
     {
-      return state.velocity[node];
+      return mean_velocities[node];
     }
 
     const Point<dim> &position(const unsigned int node) const
@@ -94,6 +94,7 @@ namespace Lahar
     unsigned int n_vertices = 0;
     std::vector<Tensor<1, dim>> external_forces;
     SolidState<dim> state;
+    std::vector<Tensor<1, dim>> mean_velocities;
   };
 } // namespace Lahar
 

@@ -207,6 +207,7 @@ namespace Lahar
     CrushedCells crushed_cells;
     std::vector<bool> is_solid; ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
+    double mean_spacing  = 0.; ///< of the mesh's particles, m
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
   };

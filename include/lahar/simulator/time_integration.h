@@ -3,24 +3,45 @@
 #ifndef lahar_simulator_time_integration_h
 #define lahar_simulator_time_integration_h
 
-#include <lahar/assembly/fluid_cell.h>
+#include <deal.II/base/tensor.h>
+
 #include <lahar/utilities/parameters.h>
 
 namespace Lahar
 {
+  using namespace dealii;
+
+  /// How a node moves at one time.
+  template <int dim>
+  struct Motion
+  {
+    Tensor<1, dim> velocity;                 ///< v, m/s
+    Tensor<1, dim> acceleration;             ///< dv/dt, m/s²
+    Tensor<1, dim> algorithmic_acceleration; ///< a of TimeIntegration, m/s²
+  };
+
   /**
-   * One-step rules with the velocity as unknown.
+   * One-step rules whose unknown is w, the mean velocity of a node in the step: it moves from x_n to x = x_n + Δt w. The
+   * volume of a cell at the end of the step is thus a function of w alone, whatever v_n is, and the mass equation keeps
+   * it.
    *
-   * Newmark:         a = (v − v_n)/(γ Δt) − (1−γ)/γ a_n,  x = x_n + Δt/2 (v_n + v), that is β = γ/2.
-   * Backward Euler:  a = (v − v_n)/Δt,                    x = x_n + Δt v.
+   * Newmark's rule as of Wood, Bossak & Zienkiewicz (Int. J. Numer. Meth. Engng. 15 (1980) 1562–1566), γ ≥ 1/2,
+   * α = 1/2 − γ, β = (1/2 + γ)²/4:
    *
-   * γ = 1/2 is the trapezoidal rule of Franci & Zhang (2018). Incompressibility makes a differential-algebraic system
-   * of index two, in which the rule multiplies what remeshing and impacts leave in div a by −(1−γ)/γ in every step:
-   * with γ = 1/2 it never dies away and in the end destroys the flow. The trapezoidal displacement keeps volume to
-   * second order whatever γ is, provided that v_n is free of divergence. Where a cell has only just become fluid,
-   * because the fluid lands on a wall or on itself, v_n is not: it closes the gap. The vertices of such a cell move by
-   * Δt v in that one step, as in backward Euler. The first step of a run has γ = 1, because the acceleration at rest
-   * does not obey incompressibility.
+   *   w     = v_n + Δt [(1/2 − β) a_n + β a],
+   *   v     = v_n + Δt [(1 − γ) a_n + γ a],
+   *   dv/dt = (1 − α) a + α a_n,
+   *
+   * all forces at the end of the step. It is of second order for every γ. What remeshing and impacts leave in v that the
+   * incompressible fluid cannot follow is multiplied by ρ = (3/2 − γ)/(1/2 + γ) in every step: γ = 1/2 is the trapezoidal
+   * rule, which never forgets it, γ = 3/2 has forgotten it after two steps and equals the backward differences of second
+   * order.
+   *
+   * The first step of a run knows no a_n: the acceleration is constant in it, w = v_n + Δt/2 a, v = v_n + Δt a.
+   *
+   * Backward Euler: v = w, dv/dt = a = (w − v_n)/Δt.
+   *
+   * A node that is stopped or driven in the step moves impulsively: v = w, dv/dt = (w − v_n)/Δt, and a stays.
    */
   class TimeIntegration
   {
@@ -34,36 +55,42 @@ namespace Lahar
     /// Begin a step of length @p time_step (s); @p is_first as said above.
     void start_step(const double time_step, const bool is_first);
 
-    StepFactors factors() const;
-
-    /// a at the end of the step.
-    template <int dim>
-    Tensor<1, dim> acceleration(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity,
-                                const Tensor<1, dim> &old_acceleration) const
+    /// Δt, s.
+    double length() const
     {
-      return 1. / (gamma * time_step) * (velocity - old_velocity) - (1. - gamma) / gamma * old_acceleration;
+      return time_step;
     }
 
-    /// ∂x/∂v at the end of the step, s. @param arrives whether the particle is a corner of a cell that becomes fluid.
-    double position_factor(const bool arrives) const
+    /// ∂v/∂w at the end of the step.
+    double velocity_factor(const bool impulsive) const
     {
-      return newmark && !arrives ? 0.5 * time_step : time_step;
+      return impulsive ? 1. : gamma / beta;
     }
 
-    /// x − x_n at the end of the step: s v + (Δt − s) v_n, s the position factor.
-    template <int dim>
-    Tensor<1, dim> displacement(const Tensor<1, dim> &velocity, const Tensor<1, dim> &old_velocity,
-                                const double position_factor) const
+    /// ∂(dv/dt)/∂w at the end of the step, 1/s.
+    double acceleration_factor(const bool impulsive) const
     {
-      return position_factor * velocity + (time_step - position_factor) * old_velocity;
+      return (impulsive ? 1. : (1. - alpha) / beta) / time_step;
+    }
+
+    /// What follows at the end of the step from @p w and the motion at its start.
+    template <int dim>
+    Motion<dim> end_of_step(const Tensor<1, dim> &w, const Motion<dim> &start, const bool impulsive) const
+    {
+      if (impulsive)
+        return {w, (w - start.velocity) / time_step, start.algorithmic_acceleration};
+      const Tensor<1, dim> &a_n = start.algorithmic_acceleration;
+      const Tensor<1, dim> a    = (w - start.velocity) / (beta * time_step) - old_factor * a_n;
+      return {start.velocity + time_step * ((1. - gamma) * a_n + gamma * a), (1. - alpha) * a + alpha * a_n,
+              a};
     }
 
   private:
     bool newmark         = true;
-    double newmark_gamma = 0.7;
-    double gamma         = 1.;
-    double time_step     = 0.;
+    double newmark_gamma = 1.5;
     bool is_first        = true;
+    double time_step     = 0.;
+    double alpha = 0., beta = 1., gamma = 1., old_factor = 0.;
   };
 } // namespace Lahar
 

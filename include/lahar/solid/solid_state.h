@@ -18,15 +18,17 @@ namespace Lahar
   template <int dim>
   struct SolidState
   {
-    std::vector<Point<dim>> position;          ///< m
-    std::vector<Tensor<1, dim>> velocity;      ///< m/s
-    std::vector<Tensor<1, dim>> acceleration;  ///< m/s²
+    std::vector<Point<dim>> position;         ///< m
+    std::vector<Tensor<1, dim>> velocity;     ///< m/s
+    std::vector<Tensor<1, dim>> acceleration; ///< m/s²
+    std::vector<Tensor<1, dim>>
+      algorithmic_acceleration;                ///< of the time integration, m/s², see TimeIntegration
     std::vector<SymmetricTensor<2, 3>> stress; ///< Cauchy stress, Pa
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &position &velocity &acceleration &stress;
+      archive &position &velocity &acceleration &algorithmic_acceleration &stress;
     }
   };
 } // namespace Lahar
