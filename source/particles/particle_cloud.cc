@@ -33,6 +33,8 @@ namespace Lahar
     algorithmic_acceleration.emplace_back();
     pressure.push_back(0.);
     pressure_rate.push_back(0.);
+    owed_volume.push_back(0.);
+    reaction.emplace_back();
     kind.push_back(new_kind);
     spacing.push_back(new_spacing);
     slip_facets.emplace_back();
@@ -81,6 +83,8 @@ namespace Lahar
     compress(algorithmic_acceleration, removed);
     compress(pressure, removed);
     compress(pressure_rate, removed);
+    compress(owed_volume, removed);
+    compress(reaction, removed);
     compress(kind, removed);
     compress(spacing, removed);
     compress(slip_facets, removed);
@@ -102,10 +106,12 @@ namespace Lahar
       *value++ = velocity[i][d];
       *value++ = acceleration[i][d];
       *value++ = algorithmic_acceleration[i][d];
+      *value++ = reaction[i][d];
       *value++ = slip_facets[i][d];
     }
-    for (const double x : {pressure[i], pressure_rate[i], spacing[i], static_cast<double>(kind[i]),
-                           static_cast<double>(number[i]), static_cast<double>(owner[i])})
+    for (const double x :
+         {pressure[i], pressure_rate[i], owed_volume[i], spacing[i], static_cast<double>(kind[i]),
+          static_cast<double>(number[i]), static_cast<double>(owner[i])})
       *value++ = x;
     return result;
   }
@@ -122,10 +128,12 @@ namespace Lahar
       velocity[i][d]                 = *value++;
       acceleration[i][d]             = *value++;
       algorithmic_acceleration[i][d] = *value++;
+      reaction[i][d]                 = *value++;
       slip_facets[i][d]              = static_cast<int>(*value++);
     }
     pressure[i]      = *value++;
     pressure_rate[i] = *value++;
+    owed_volume[i]   = *value++;
     spacing[i]       = *value++;
     kind[i]          = static_cast<ParticleKind>(*value++);
     number[i]        = static_cast<std::uint64_t>(*value++);

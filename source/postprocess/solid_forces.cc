@@ -6,8 +6,8 @@
 namespace Lahar
 {
   /**
-   * For each solid the force of the fluid on it, and the force of what clamps or drives it, N (N/m in 2D): the sums of
-   * the residuals of the discrete momentum equations at its nodes.
+   * For each solid the mean force of the fluid on it over the last step, and that of what clamps or drives it, N (N/m in
+   * 2D): the sums of the residuals of the discrete momentum equations at its nodes, see TimeIntegration::mean_force().
    */
   template <int dim>
   class SolidForces : public Postprocessor<dim>
@@ -32,14 +32,13 @@ namespace Lahar
     const unsigned int n       = solids.all_bodies().size();
     // What acts on a prescribed node is the fluid's force and the support's.
     std::vector<Tensor<1, dim>> by_fluid(n), by_support(n);
-    for (unsigned int v = 0; v < snapshot.wall_forces.size(); ++v)
-      if (snapshot.mesh.particle(v) < mesh.n_contour_nodes() &&
-          snapshot.cloud.is_own(snapshot.mesh.particle(v)))
-        by_fluid[mesh.body_of_node(snapshot.mesh.particle(v))] -= snapshot.wall_forces[v];
+    for (unsigned int i = 0; i < mesh.n_contour_nodes(); ++i)
+      if (snapshot.cloud.is_own(i))
+        by_fluid[mesh.body_of_node(i)] -= snapshot.cloud.reaction[i];
     for (Tensor<1, dim> &force : by_fluid)
       force = Utilities::MPI::sum(force, snapshot.communicator());
-    for (unsigned int i = 0; i < snapshot.solid_forces.size(); ++i)
-      by_support[mesh.body_of_node(i)] += snapshot.solid_forces[i];
+    for (unsigned int i = 0; i < mesh.n_nodes(); ++i)
+      by_support[mesh.body_of_node(i)] += solids.state().reaction[i];
     for (unsigned int b = 0; b < n; ++b)
       for (unsigned int d = 0; d < dim; ++d)
       {

@@ -101,8 +101,8 @@ namespace Lahar
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       FluidMesh<dim> part;
       part.reinit_part(snapshot.mesh, vertices, cells);
-      list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.wall_forces,
-                          snapshot.solids, snapshot.solid_forces, snapshot.migration, snapshot.time},
+      list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.solids,
+                          snapshot.migration, snapshot.time},
                          own_piece, pieces);
     });
     if (n_ranks == 1)

@@ -8,8 +8,9 @@
 namespace Lahar
 {
   /**
-   * Force of the fluid on the walls inside a box, N (N/m in 2D): the sum of the reactions of the discrete momentum
-   * equation at the wall's particles and, for slip walls, at the particles that slide on it.
+   * Mean force of the fluid on the walls inside a box over the last step, N (N/m in 2D): the sum of the reactions of the
+   * discrete momentum equation at the wall's particles and, for slip walls, at the particles that slide on it, see
+   * TimeIntegration::mean_force().
    */
   template <int dim>
   class WallForces : public Postprocessor<dim>
@@ -46,14 +47,13 @@ namespace Lahar
     for (const auto &[name, box] : boxes)
     {
       Tensor<1, dim> force;
-      for (unsigned int v = 0; v < snapshot.wall_forces.size(); ++v)
+      for (const unsigned int particle : snapshot.mesh.particles())
       {
-        const unsigned int particle = snapshot.mesh.particle(v);
-        const bool is_on_wall       = snapshot.cloud.kind[particle] == ParticleKind::wall ||
+        const bool is_on_wall = snapshot.cloud.kind[particle] == ParticleKind::wall ||
                                 snapshot.cloud.on_slip_wall(particle);
         if (is_on_wall && snapshot.cloud.is_own(particle) &&
             box.contains(snapshot.cloud.position[particle], 0.))
-          force -= snapshot.wall_forces[v];
+          force -= snapshot.cloud.reaction[particle];
       }
       for (unsigned int d = 0; d < dim; ++d)
         add_to_column(statistics, name + " force " + "xyz"[d] + " (N)", snapshot.sum_of_ranks(force[d]));

@@ -372,6 +372,16 @@ namespace Lahar
         std::find(removed.begin(), removed.end(), true) == removed.end())
       return;
 
+    // What a removed particle owes goes to the first neighbour that stays.
+    for (const auto &[a, b] : edges)
+      for (const auto &[from, to] : {Edge(a, b), Edge(b, a)})
+        if (removed[from] && !removed[to] && cloud.kind[to] == ParticleKind::fluid)
+        {
+          cloud.owed_volume[to] += cloud.owed_volume[from];
+          cloud.owed_volume[from] = 0.;
+        }
+    migration.update(cloud.owed_volume);
+
     const unsigned int n_old = cloud.size();
     insert(inserted, migration, cloud);
     removed.resize(cloud.size(), false);

@@ -138,7 +138,7 @@ namespace Lahar
     report.changed = mesh.reinit(cloud, cells);
     if (!migration.is_alone())
       report.changed = Utilities::MPI::max(report.changed ? 1U : 0U, migration.communicator()) == 1U;
-    if (keep_volume && report.changed)
+    if (keep_volume && (report.changed || VolumeCorrection<dim>::is_any_owed(cloud, migration)))
       VolumeCorrection<dim>::apply(old_domain, walls, mesh, cloud, migration);
     for (const unsigned int particle : mesh.particles())
       report.arrives.push_back(arriving[particle]);

@@ -121,6 +121,65 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    /// The fluid particle at which a cell's volume is booked; its owner is the cell's.
+    template <int dim>
+    unsigned int place_of(const Simplex<dim> &cell, const ParticleCloud<dim> &cloud)
+    {
+      return *std::find_if(cell.begin(), cell.end(),
+                           [&](const unsigned int i) { return cloud.kind[i] == ParticleKind::fluid; });
+    }
+
+    /// By place the growth of this rank's own cells since they had the volumes @p before.
+    template <int dim>
+    std::vector<double> growth_by_place(const FluidMesh<dim> &mesh, const std::vector<double> &before,
+                                        const ParticleCloud<dim> &cloud)
+    {
+      std::vector<double> growth(cloud.size(), 0.);
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (const Simplex<dim> &cell = mesh.particle_cells()[c]; cloud.is_own(cell))
+          growth[place_of<dim>(cell, cloud)] +=
+            std::max(0., signed_volume<dim>(corners_of<dim>(cell, cloud.position))) - before[c];
+      return growth;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double> VolumeCorrection<dim>::cell_volumes(const FluidMesh<dim> &mesh,
+                                                          const ParticleCloud<dim> &cloud)
+  {
+    std::vector<double> volumes;
+    for (const Simplex<dim> &cell : mesh.particle_cells())
+      volumes.push_back(signed_volume<dim>(corners_of<dim>(cell, cloud.position)));
+    return volumes;
+  }
+
+
+
+  template <int dim>
+  void VolumeCorrection<dim>::owe_growth(const FluidMesh<dim> &mesh, const std::vector<double> &before,
+                                         ParticleCloud<dim> &cloud)
+  {
+    const std::vector<double> growth = growth_by_place(mesh, before, cloud);
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      cloud.owed_volume[i] += growth[i];
+  }
+
+
+
+  template <int dim>
+  bool VolumeCorrection<dim>::is_any_owed(const ParticleCloud<dim> &cloud, const Migration<dim> &migration)
+  {
+    const bool any = std::any_of(cloud.owed_volume.begin(), cloud.owed_volume.end(),
+                                 [](const double volume) { return volume != 0.; });
+    return migration.is_alone() ? any : Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
+  }
+
+
+
   template <int dim>
   void VolumeCorrection<dim>::apply(const OldDomain<dim> &old_domain, const Walls<dim> &walls,
                                     FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud,
@@ -174,6 +233,12 @@ namespace Lahar
         size[place] += std::abs(volume);
       }
     }
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (is_of_body(i) && cloud.is_own(i))
+      {
+        change[i] += cloud.owed_volume[i];
+        size[i] += std::abs(cloud.owed_volume[i]);
+      }
     change = bodies.sum(change, migration);
     size   = bodies.sum(size, migration);
 
@@ -193,6 +258,7 @@ namespace Lahar
     free_area  = bodies.sum(free_area, migration);
 
     const std::vector<Point<dim>> old_position = cloud.position;
+    const std::vector<double> volumes          = cell_volumes(mesh, cloud);
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (is_movable(i) && std::abs(change[i]) > smallest_change * size[i] &&
           !(in_contact[i] && free_area[i] > 0.))
@@ -206,6 +272,15 @@ namespace Lahar
     migration.update(cloud.position);
     keep_cells(mesh, old_position, cloud, migration);
     mesh.move(cloud);
+
+    const std::vector<double> given = bodies.sum(growth_by_place(mesh, volumes, cloud), migration);
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (is_of_body(i) && cloud.is_own(i))
+      {
+        const double rest    = change[i] + given[i];
+        cloud.owed_volume[i] = std::abs(rest) > smallest_change * size[i] ? rest / n_particles[i] : 0.;
+      }
+    migration.update(cloud.owed_volume);
   }
 
 

@@ -8,6 +8,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// The account of the volume is a matter for a warning beyond this part of the volume at the start.
+    constexpr double largest_quiet_change = 0.01;
+  } // namespace
+
+
+
   template <int dim>
   void Simulator<dim>::start_output()
   {
@@ -65,7 +73,7 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot() const
   {
-    return {particles, fluid_mesh, *law, gravity, wall_forces, solids, solid_forces, migration, time};
+    return {particles, fluid_mesh, *law, gravity, solids, migration, time};
   }
 
 
@@ -114,8 +122,37 @@ namespace Lahar
                    << report.increments[i].second << '\n';
       convergence.append(increments.str());
     });
+    warn_of_volume();
     progress->step({step_number, time, time_step, report.iterations, report.velocity_increment,
                     report.pressure_increment, n_cells, change_by_solver + change_by_remeshing});
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::warn_of_volume()
+  {
+    if (warned_of_volume || std::abs(change_by_solver + change_by_remeshing) < largest_quiet_change)
+      return;
+    warned_of_volume = true;
+    // Where the surface owes or is owed most of what remeshing could not take back.
+    double largest = 0.;
+    Point<dim> place;
+    for (unsigned int i = 0; i < particles.size(); ++i)
+      if (particles.is_own(i) && std::abs(particles.owed_volume[i]) > largest)
+      {
+        largest = std::abs(particles.owed_volume[i]);
+        place   = particles.position[i];
+      }
+    place = largest_of_all(largest, place, communicator).second;
+    std::ostringstream text;
+    text << "Warning: time " << time << " s: the fluid's volume has changed by "
+         << 100. * (change_by_solver + change_by_remeshing) << " %, of which the solver "
+         << 100. * change_by_solver << " % and remeshing " << 100. * change_by_remeshing << " %";
+    if (largest_of_all(largest, place, communicator).first > 0.)
+      text << ", most of it around (" << place << ") m";
+    text << ". A smaller 'Mesh size' resolves what splashes and merges.";
+    progress->message(text.str());
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
+#include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/utilities/stop_signal.h>
@@ -267,8 +268,7 @@ namespace Lahar
     TimerOutput::Scope scope(timer, "Update");
     const std::vector<Point<dim>> old_position = particles.position;
     problem.accept(particles, solids);
-    wall_forces  = problem.reactions();
-    solid_forces = problem.solid_reactions();
+    take_mean_forces();
     if (geometry.has_fluid())
     {
       const double new_volume = sum_of_ranks(fluid_mesh.volume(particles));
@@ -276,6 +276,7 @@ namespace Lahar
       volume = new_volume;
     }
 
+    const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(fluid_mesh, particles);
     std::vector<bool> in_mesh(particles.size(), false);
     for (const unsigned int particle : fluid_mesh.particles())
       in_mesh[particle] = true;
@@ -285,9 +286,23 @@ namespace Lahar
     n_kept_out += count_on_ranks(
       SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
     slip_condition.update(old_position, particles);
+    VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
     fluid_mesh.move(particles);
     n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::take_mean_forces()
+  {
+    const std::vector<Tensor<1, dim>> reactions = problem.reactions();
+    std::vector<Tensor<1, dim>> forces(particles.size());
+    for (unsigned int v = 0; v < reactions.size(); ++v)
+      forces[fluid_mesh.particle(v)] = reactions[v];
+    for (unsigned int i = 0; i < particles.size(); ++i)
+      particles.reaction[i] = time_integration.mean_force(forces[i], particles.reaction[i]);
   }
 
 

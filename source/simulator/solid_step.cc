@@ -155,10 +155,12 @@ namespace Lahar
 
 
   template <int dim>
-  void SolidStep<dim>::accept(Solids<dim> &target)
+  void SolidStep<dim>::accept(const std::vector<Tensor<1, dim>> &forces, Solids<dim> &target)
   {
     if (system_nodes.empty())
       return;
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      state.reaction[i] = integration.mean_force(forces[i], target.state().reaction[i]);
     assembler.update_stress(target, state);
     target.accept(state);
   }

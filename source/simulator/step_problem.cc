@@ -352,17 +352,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> StepProblem<dim>::solid_reactions() const
-  {
-    return solid.gather(system.partition(), system.solid_residual());
-  }
-
-
-
-  template <int dim>
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
-    solid.accept(solids);
+    solid.accept(solid.gather(system.partition(), system.solid_residual()), solids);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }

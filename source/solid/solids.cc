@@ -106,6 +106,7 @@ namespace Lahar
     present.velocity.resize(n);
     present.acceleration.assign(n, Tensor<1, dim>());
     present.algorithmic_acceleration.assign(n, Tensor<1, dim>());
+    present.reaction.assign(n, Tensor<1, dim>());
     present.stress.assign(mesh.n_cells() * mesh.points_per_cell(), SymmetricTensor<2, 3>());
     clamped.assign(n, false);
     driven.assign(n, false);

@@ -33,6 +33,7 @@ void test()
     cloud.velocity[i]                 = random.vector<dim>();
     cloud.acceleration[i]             = random.vector<dim>();
     cloud.algorithmic_acceleration[i] = random.vector<dim>();
+    cloud.owed_volume[i]              = random.number();
     cloud.pressure[i]                 = random.number();
     cloud.pressure_rate[i]            = random.number();
   }

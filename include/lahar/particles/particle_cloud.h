@@ -49,6 +49,8 @@ namespace Lahar
       algorithmic_acceleration;        ///< of the time integration, m/s², see TimeIntegration
     std::vector<double> pressure;      ///< Pa
     std::vector<double> pressure_rate; ///< Pa/s
+    std::vector<double> owed_volume;   ///< m^dim; what the fluid has too much around it, see VolumeCorrection
+    std::vector<Tensor<1, dim>> reaction; ///< mean force of wall or solid on the fluid in the last step, N
     std::vector<ParticleKind> kind;
     std::vector<double> spacing;                   ///< wanted distance h to the next particles, m
     std::vector<std::array<int, dim>> slip_facets; ///< facets of the slip walls on which the particle slides
@@ -94,7 +96,7 @@ namespace Lahar
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
     /// A particle as numbers, to send it.
-    using Record = std::array<double, 5 * dim + 6>;
+    using Record = std::array<double, 6 * dim + 7>;
 
     Record record(const unsigned int particle) const;
 
@@ -117,8 +119,8 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate &kind
-        &spacing &slip_facets &number &owner &next_number;
+      archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
+        &owed_volume &reaction &kind &spacing &slip_facets &number &owner &next_number;
     }
   };
 } // namespace Lahar

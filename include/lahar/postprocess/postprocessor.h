@@ -30,10 +30,7 @@ namespace Lahar
     const FluidMesh<dim> &mesh;
     const FluidLaw &law;
     const Tensor<1, dim> &gravity;
-    const std::vector<Tensor<1, dim>>
-      &wall_forces; ///< force of walls and solids on the fluid by vertex, N; empty at the start
     const Solids<dim> &solids;
-    const std::vector<Tensor<1, dim>> &solid_forces; ///< force of fluid and supports on the solids by node, N
     const Migration<dim> &migration;
     double time = 0.;
 

@@ -25,13 +25,24 @@ namespace Lahar
    *
    * which changes the volume by −ΔV to first order and keeps a level surface level. Particles on walls and solids stay,
    * and those of cells that touch them if there are others: they may be the front of the flow. No particle moves by
-   * more than a tenth of its spacing, through an obstacle, or so far that a cell loses half of its volume: what cannot
-   * be taken back remains, and is part of the statistics.
+   * more than a tenth of its spacing, through an obstacle, or so far that a cell loses half of its volume. What cannot be
+   * taken back is owed: the particles of the body carry it in equal shares (ParticleCloud::owed_volume), and the next
+   * remeshings try again.
    */
   template <int dim>
   class VolumeCorrection
   {
   public:
+    /// The volumes of the mesh's cells, where the particles are now.
+    static std::vector<double> cell_volumes(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud);
+
+    /// Let the particles owe what the cells of @p mesh, which had the volumes @p before, have gained since then.
+    static void owe_growth(const FluidMesh<dim> &mesh, const std::vector<double> &before,
+                           ParticleCloud<dim> &cloud);
+
+    /// Whether any particle owes volume. Collective.
+    static bool is_any_owed(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+
     /**
      * Move the particles of the free surface of @p mesh, just made. Collective.
      *

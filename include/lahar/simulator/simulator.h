@@ -96,11 +96,15 @@ namespace Lahar
     /// @throws RunError if a particle moves too far in the solved step.
     void check_movements() const;
     void move_particles(const double time_step);
+    /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
+    void take_mean_forces();
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     std::vector<NodeConstraint<dim>> constraints() const;
     void set_initial_velocities();
     void add_statistics(const double time_step, const NonlinearReport &report);
+    /// Say once when the account of the volume has passed one percent.
+    void warn_of_volume();
     Snapshot<dim> snapshot() const;
 
     void start_output();
@@ -147,7 +151,7 @@ namespace Lahar
     typename Remesher<dim>::Report remeshing; ///< the last one
 
     std::vector<std::string> warnings;
-    std::vector<Tensor<1, dim>> wall_forces, solid_forces;
+    bool warned_of_volume = false;
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
     AppendedFile statistics;
     AppendedFile convergence; ///< the increments of every iteration

@@ -83,8 +83,8 @@ namespace Lahar
     /// The largest speed of sound, m/s; zero without solids.
     double speed_of_sound() const;
 
-    /// Make the state the solids' own.
-    void accept(Solids<dim> &target);
+    /// Make the state the solids' own. @param forces by node, of fluid and supports at the end of the step, N.
+    void accept(const std::vector<Tensor<1, dim>> &forces, Solids<dim> &target);
 
   private:
     const Solids<dim> *solids = nullptr;

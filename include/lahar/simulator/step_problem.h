@@ -142,9 +142,6 @@ namespace Lahar
     /// nodes. Zero at vertices that this rank does not know.
     std::vector<Tensor<1, dim>> reactions() const;
 
-    /// Forces on the solids at all their nodes from what holds or wets them, N.
-    std::vector<Tensor<1, dim>> solid_reactions() const;
-
     const FluidLaw &law() const
     {
       return *fluid_law;

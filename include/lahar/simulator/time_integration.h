@@ -85,6 +85,17 @@ namespace Lahar
               a};
     }
 
+    /**
+     * The force that goes with a as @p force at the end of the step goes with dv/dt, F̄ = (F − α F̄_n)/(1 − α). With
+     * γ = 3/2, where a = (w − w_n)/Δt, it is the mean of the force from the middle of the last step to that of this one:
+     * the sum of F̄ Δt is the change of momentum, without the overshoot of F after an impact.
+     */
+    template <int dim>
+    Tensor<1, dim> mean_force(const Tensor<1, dim> &force, const Tensor<1, dim> &old_mean_force) const
+    {
+      return (force - alpha * old_mean_force) / (1. - alpha);
+    }
+
   private:
     bool newmark         = true;
     double newmark_gamma = 1.5;

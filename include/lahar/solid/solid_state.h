@@ -23,12 +23,13 @@ namespace Lahar
     std::vector<Tensor<1, dim>> acceleration; ///< m/s²
     std::vector<Tensor<1, dim>>
       algorithmic_acceleration;                ///< of the time integration, m/s², see TimeIntegration
+    std::vector<Tensor<1, dim>> reaction;      ///< mean force of fluid and supports in the last step, N
     std::vector<SymmetricTensor<2, 3>> stress; ///< Cauchy stress, Pa
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &position &velocity &acceleration &algorithmic_acceleration &stress;
+      archive &position &velocity &acceleration &algorithmic_acceleration &reaction &stress;
     }
   };
 } // namespace Lahar
