@@ -171,6 +171,21 @@ namespace Lahar
 
 
   template <int dim>
+  double VolumeCorrection<dim>::carried_volume(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
+  {
+    std::vector<bool> in_mesh(cloud.size(), false);
+    for (const unsigned int i : mesh.particles())
+      in_mesh[i] = true;
+    double carried = 0.;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid && cloud.is_own(i))
+        carried -= cloud.owed_volume[i];
+    return carried;
+  }
+
+
+
+  template <int dim>
   bool VolumeCorrection<dim>::is_any_owed(const ParticleCloud<dim> &cloud, const Migration<dim> &migration)
   {
     const bool any = std::any_of(cloud.owed_volume.begin(), cloud.owed_volume.end(),
@@ -204,21 +219,20 @@ namespace Lahar
     }
     bodies.connect(cloud, migration);
 
-    // What changed, at a particle of the body that it belongs to.
-    const auto is_of_body = [&](const unsigned int i) {
-      return i < cloud.size() && cloud.kind[i] == ParticleKind::fluid && has_cell[i];
+    // What changed, at a particle of the body that it belongs to; an isolated particle is a body of its own.
+    const auto is_fluid = [&](const unsigned int i) {
+      return i < cloud.size() && cloud.kind[i] == ParticleKind::fluid;
     };
     std::vector<double> n_particles(cloud.size(), 0.), change = n_particles, size = n_particles;
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      n_particles[i] = is_of_body(i) && cloud.is_own(i) ? 1. : 0.;
+      n_particles[i] = is_fluid(i) && cloud.is_own(i) ? 1. : 0.;
     n_particles = bodies.sum(n_particles, migration);
     for (const auto &[corners, volume] : find_changes(old_domain, mesh, cloud))
     {
       unsigned int place  = numbers::invalid_unsigned_int;
       const auto consider = [&](const unsigned int i) {
-        if (is_of_body(i) &&
-            (place == numbers::invalid_unsigned_int ||
-             std::make_pair(-n_particles[i], i) < std::make_pair(-n_particles[place], place)))
+        if (is_fluid(i) && (place == numbers::invalid_unsigned_int ||
+                            std::make_pair(-n_particles[i], i) < std::make_pair(-n_particles[place], place)))
           place = i;
       };
       for (const unsigned int i : corners)
@@ -234,7 +248,7 @@ namespace Lahar
       }
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (is_of_body(i) && cloud.is_own(i))
+      if (is_fluid(i) && cloud.is_own(i))
       {
         change[i] += cloud.owed_volume[i];
         size[i] += std::abs(cloud.owed_volume[i]);
@@ -246,7 +260,7 @@ namespace Lahar
     const std::vector<Tensor<1, dim>> area = surface_areas(mesh, cloud);
     std::vector<double> free_area(cloud.size(), 0.), whole_area(cloud.size(), 0.);
     const auto is_movable = [&](const unsigned int i) {
-      return cloud.is_own(i) && is_of_body(i) && !cloud.on_slip_wall(i) && area[i].norm() > 0.;
+      return cloud.is_own(i) && is_fluid(i) && has_cell[i] && !cloud.on_slip_wall(i) && area[i].norm() > 0.;
     };
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (is_movable(i))
@@ -275,7 +289,7 @@ namespace Lahar
 
     const std::vector<double> given = bodies.sum(growth_by_place(mesh, volumes, cloud), migration);
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (is_of_body(i) && cloud.is_own(i))
+      if (is_fluid(i) && cloud.is_own(i))
       {
         const double rest    = change[i] + given[i];
         cloud.owed_volume[i] = std::abs(rest) > smallest_change * size[i] ? rest / n_particles[i] : 0.;

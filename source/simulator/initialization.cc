@@ -47,7 +47,7 @@ namespace Lahar
       postprocessor->initialize(solids);
     time = parameters.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
-    initial_volume = volume = sum_of_ranks(fluid_mesh.volume(particles));
+    initial_volume = volume = fluid_volume();
   }
 
 

@@ -152,6 +152,15 @@ namespace Lahar
 
 
   template <int dim>
+  double Simulator<dim>::fluid_volume() const
+  {
+    return sum_of_ranks(fluid_mesh.volume(particles) +
+                        VolumeCorrection<dim>::carried_volume(fluid_mesh, particles));
+  }
+
+
+
+  template <int dim>
   unsigned int Simulator<dim>::count_on_ranks(const unsigned int n) const
   {
     return Utilities::MPI::sum(n, communicator);
@@ -209,7 +218,7 @@ namespace Lahar
     if (const unsigned int n_dropped = count_on_ranks(domain_limit.drop_outside(particles, fluid_mesh)))
     {
       n_left += n_dropped;
-      const double volume_inside = sum_of_ranks(fluid_mesh.volume(particles));
+      const double volume_inside = fluid_volume();
       left_volume += (volume - volume_inside) / initial_volume;
       volume = volume_inside;
     }
@@ -226,10 +235,10 @@ namespace Lahar
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
     n_forced_facets += count_on_ranks(remeshing.n_forced);
-    const double new_volume = sum_of_ranks(fluid_mesh.volume(particles));
+    const double new_volume = fluid_volume();
     change_by_remeshing += (new_volume - volume) / initial_volume;
     volume = new_volume;
-    if (new_volume == 0. && solids.empty())
+    if (count_on_ranks(fluid_mesh.n_cells()) == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated or have left the domain.");
   }
@@ -271,7 +280,7 @@ namespace Lahar
     take_mean_forces();
     if (geometry.has_fluid())
     {
-      const double new_volume = sum_of_ranks(fluid_mesh.volume(particles));
+      const double new_volume = fluid_volume();
       change_by_solver += (new_volume - volume) / initial_volume;
       volume = new_volume;
     }

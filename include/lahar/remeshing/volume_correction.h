@@ -17,8 +17,8 @@ namespace Lahar
    *
    * The cells that the last mesh did not have and those that the new one does not have change the volume by
    * ΔV = Σ V(new) − Σ V(old); inside the fluid they cover the same region and the sum is zero. Each belongs to the
-   * largest body that one of its fluid particles is in or, if none is left, of those that shared a cell with them. The
-   * body's free surface gives ΔV back: with A_i the sum of the outward area vectors of the surface's faces at particle i
+   * largest body that one of its fluid particles is in or, if none is left, of those that shared a cell with them; an
+   * isolated particle is a body of its own, which carries what it owes until it lands. The body's free surface gives ΔV back: with A_i the sum of the outward area vectors of the surface's faces at particle i
    * over their number of corners
    *
    *   x_i ← x_i − ΔV / (Σ_j |A_j|) A_i / |A_i|,
@@ -39,6 +39,9 @@ namespace Lahar
     /// Let the particles owe what the cells of @p mesh, which had the volumes @p before, have gained since then.
     static void owe_growth(const FluidMesh<dim> &mesh, const std::vector<double> &before,
                            ParticleCloud<dim> &cloud);
+
+    /// The volume that this rank's own isolated particles carry: of the cells that they had, and have no longer.
+    static double carried_volume(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud);
 
     /// Whether any particle owes volume. Collective.
     static bool is_any_owed(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);

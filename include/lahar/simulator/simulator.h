@@ -90,6 +90,8 @@ namespace Lahar
     /// Sums over the ranks.
     double sum_of_ranks(const double value) const;
     unsigned int count_on_ranks(const unsigned int n) const;
+    /// Of the cells, and what isolated particles carry, on all ranks.
+    double fluid_volume() const;
     void remesh(const double time_step);
     /// Largest ratio of speed and spacing in the mesh, 1/s.
     double fastest_movement() const;
