@@ -196,16 +196,21 @@ namespace Lahar
         rank[i] += (facet != ParticleCloud<dim>::no_facet);
     }
     Changes changes{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
+    // A drop of one particle stays: nobody could take over its volume.
+    std::vector<bool> is_single(n, true);
+    for (const auto &[a, b] : edges)
+      if (cloud.kind[a] == ParticleKind::fluid && cloud.kind[b] == ParticleKind::fluid)
+        is_single[a] = is_single[b] = false;
     for (const unsigned int i : mesh.particles())
-      if (cloud.kind[i] == ParticleKind::fluid && is_at_wall(cloud.position[i], cloud.spacing[i], walls))
+      if (cloud.kind[i] == ParticleKind::fluid && !is_single[i] &&
+          is_at_wall(cloud.position[i], cloud.spacing[i], walls))
         changes.removed[i] = 1.;
     migration.update(changes.removed);
 
     std::vector<Edge> short_edges;
     for (const auto &[a, b] : edges)
-      if ((cloud.kind[a] == ParticleKind::fluid || cloud.kind[b] == ParticleKind::fluid) &&
-          cloud.position[a].distance(cloud.position[b]) <
-            0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
+      if ((!is_single[a] || !is_single[b]) && cloud.position[a].distance(cloud.position[b]) <
+                                                0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
         short_edges.emplace_back(a, b);
 
     const SurfaceChain chains(mesh, n);
