@@ -196,21 +196,29 @@ namespace Lahar
         rank[i] += (facet != ParticleCloud<dim>::no_facet);
     }
     Changes changes{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
-    // A drop of one particle stays: nobody could take over its volume.
-    std::vector<bool> is_single(n, true);
-    for (const auto &[a, b] : edges)
-      if (cloud.kind[a] == ParticleKind::fluid && cloud.kind[b] == ParticleKind::fluid)
-        is_single[a] = is_single[b] = false;
+    // What goes hands its volume on to a fluid particle that is not at the wall itself; drops without one stay.
+    std::vector<double> at_wall(n, 0.);
     for (const unsigned int i : mesh.particles())
-      if (cloud.kind[i] == ParticleKind::fluid && !is_single[i] &&
-          is_at_wall(cloud.position[i], cloud.spacing[i], walls))
+      at_wall[i] = cloud.kind[i] != ParticleKind::fluid ||
+                   is_at_wall(cloud.position[i], cloud.spacing[i], walls);
+    std::vector<double> has_heir(n, 0.);
+    for (const auto &[a, b] : edges)
+    {
+      has_heir[a] = std::max(has_heir[a], 1. - at_wall[b]);
+      has_heir[b] = std::max(has_heir[b], 1. - at_wall[a]);
+    }
+    for (const unsigned int i : mesh.particles())
+      if (cloud.kind[i] == ParticleKind::fluid && at_wall[i] * has_heir[i] > 0.)
         changes.removed[i] = 1.;
+    migration.update(has_heir);
     migration.update(changes.removed);
 
     std::vector<Edge> short_edges;
     for (const auto &[a, b] : edges)
-      if ((!is_single[a] || !is_single[b]) && cloud.position[a].distance(cloud.position[b]) <
-                                                0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
+      if (((cloud.kind[a] == ParticleKind::fluid && has_heir[a] > 0.) ||
+           (cloud.kind[b] == ParticleKind::fluid && has_heir[b] > 0.)) &&
+          cloud.position[a].distance(cloud.position[b]) <
+            0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
         short_edges.emplace_back(a, b);
 
     const SurfaceChain chains(mesh, n);
