@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/point_set.h>
 
@@ -54,6 +55,36 @@ namespace Lahar
 
 
   template <int dim>
+  void InitialGeometry<dim>::check_mesh_scale(const double h) const
+  {
+    constexpr double largest = 100.;
+    for (const auto &[group, edge] : mesh_edges)
+      if (!(edge < largest * h && edge > h / largest))
+      {
+        std::ostringstream message;
+        message << "Parameter 'Geometry/Mesh scale' is " << mesh_scale << ", with which the edges of "
+                << group << " have a mean length of " << edge << " m; 'Mesh size' is " << h
+                << " m. Allowed: a scale that makes metres of the file's unit (1e-3 for mm), and edges about "
+                   "as long as 'Mesh size'.";
+        throw InputError(message.str());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
+  {
+    std::vector<std::string> result;
+    if (!mesh_wall_corners.empty())
+      result = warn_of_extent("the walls of 'Geometry/Mesh file'", box_around(mesh_wall_corners), h,
+                              "Geometry/Mesh scale");
+    return result;
+  }
+
+
+
+  template <int dim>
   void InitialGeometry<dim>::check_number_of_particles(const MeshSize<dim> &mesh_size) const
   {
     const double h   = mesh_size.coarsest();
@@ -101,6 +132,8 @@ namespace Lahar
       {
         for (const Point<dim> &p : wall.samples(h))
           check(*bodies[b], p, "wall " + wall.name);
+        if (wall.holds(fillings[b], touching * h))
+          continue;
         for (const Point<dim> &p : fillings[b])
           if (wall.encloses(p, tolerance))
             throw InputError("Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " +
@@ -179,6 +212,7 @@ namespace Lahar
   std::vector<bool> InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
                                                  ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
+    check_mesh_scale(h.coarsest());
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     Fillings fillings;

@@ -18,6 +18,8 @@ namespace Lahar
     solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
+    for (const std::string &text : geometry.warnings(mesh_size.coarsest()))
+      warnings.push_back(text);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
