@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/point_set.h>
 
@@ -50,36 +49,6 @@ namespace Lahar
         }
       }
     }
-  }
-
-
-
-  template <int dim>
-  void InitialGeometry<dim>::check_mesh_scale(const double h) const
-  {
-    constexpr double largest = 100.;
-    for (const auto &[group, edge] : mesh_edges)
-      if (!(edge < largest * h && edge > h / largest))
-      {
-        std::ostringstream message;
-        message << "Parameter 'Geometry/Mesh scale' is " << mesh_scale << ", with which the edges of "
-                << group << " have a mean length of " << edge << " m; 'Mesh size' is " << h
-                << " m. Allowed: a scale that makes metres of the file's unit (1e-3 for mm), and edges about "
-                   "as long as 'Mesh size'.";
-        throw InputError(message.str());
-      }
-  }
-
-
-
-  template <int dim>
-  std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
-  {
-    std::vector<std::string> result;
-    if (!mesh_wall_corners.empty())
-      result = warn_of_extent("the walls of 'Geometry/Mesh file'", box_around(mesh_wall_corners), h,
-                              "Geometry/Mesh scale");
-    return result;
   }
 
 

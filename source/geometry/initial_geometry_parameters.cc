@@ -8,6 +8,7 @@
 #include <lahar/geometry/polygon_body.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace Lahar
@@ -268,8 +269,6 @@ namespace Lahar
     for (const std::string &group : fluid)
       bodies.push_back(
         std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, file.nodes_of(group)));
-    for (const std::string &group : fluid)
-      mesh_edges["group '" + group + "' of " + file_name] = file.mean_edge(group);
     for (const bool is_slip : {false, true})
       for (const std::string &group : is_slip ? slip : no_slip)
       {
@@ -282,12 +281,48 @@ namespace Lahar
         else
           wall_shapes.push_back({name, {}, false, is_slip, file.facets_of(group)});
       }
+    for (const std::string &group : fluid)
+      mesh_edges["group '" + group + "' of " + file_name] = file.mean_edge(group);
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::check_mesh_scale(const double h) const
+  {
+    constexpr double largest = 100.;
+    for (const auto &[group, edge] : mesh_edges)
+      if (!(edge < largest * h && edge > h / largest))
+      {
+        std::ostringstream message;
+        message << "Parameter 'Geometry/Mesh scale' is " << mesh_scale << ", with which the edges of "
+                << group << " have a mean length of " << edge << " m; 'Mesh size' is " << h
+                << " m. Allowed: a scale that makes metres of the file's unit (1e-3 for mm), and edges about "
+                   "as long as 'Mesh size'.";
+        throw InputError(message.str());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
+  {
+    std::vector<std::string> result;
+    if (!mesh_wall_corners.empty())
+      result = warn_of_extent("the walls of 'Geometry/Mesh file'", box_around(mesh_wall_corners), h,
+                              "Geometry/Mesh scale");
+    return result;
   }
 
 
 
   template void InitialGeometry<2>::declare_parameters(Parameters &);
   template void InitialGeometry<2>::parse_parameters(Parameters &, const bool);
+  template void InitialGeometry<2>::check_mesh_scale(const double) const;
+  template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &);
   template void InitialGeometry<3>::parse_parameters(Parameters &, const bool);
+  template void InitialGeometry<3>::check_mesh_scale(const double) const;
+  template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;
 } // namespace Lahar

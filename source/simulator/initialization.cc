@@ -18,14 +18,14 @@ namespace Lahar
     solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
-    for (const std::string &text : geometry.warnings(mesh_size.coarsest()))
-      warnings.push_back(text);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
     if (solves_directly && Utilities::MPI::n_mpi_processes(communicator) > 1)
       warnings.push_back("Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; "
                          "'iterative' is.");
+    for (const std::string &text : geometry.warnings(mesh_size.coarsest()))
+      warnings.push_back(text);
     const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
     if (!warning.empty())
       warnings.push_back(warning);

@@ -9,7 +9,6 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/parameters.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,9 +19,9 @@ namespace Lahar
    * The initial fluid bodies and the rigid walls of a case.
    *
    * Fluid bodies are boxes, polygons (in the plane), convex polyhedra, truncated cones and cylinders (in space) and
-   * physical groups of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. A
-   * closed polyline is a body, or a tank for fluid that lies wholly inside. Bodies are filled with particles at the mesh
-   * size, walls without slip carry particles at the same distance. Where a body touches a wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
+   * physical groups of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. Bodies are filled
+   * with particles at the mesh size, walls without slip carry particles at the same distance. Where a body touches a
+   * wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
    * level surface meets the wall at its height. A fluid particle that would coincide with a wall particle gives way to
    * it, and both to a solid's. Where a wall passes along a solid's contour, it has no particles; the first ones beside
    * the solid stand at their usual distance from it.
@@ -60,10 +59,12 @@ namespace Lahar
     void parse_walls(Parameters &prm, const std::string &entry, const bool slip);
     void parse_mesh_file(Parameters &prm);
 
+    /// @throws InputError if the fluid's mesh is far finer or coarser than @p h.
+    void check_mesh_scale(const double h) const;
+
     /// The points of each body.
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
-    void check_mesh_scale(const double h) const;
     void check_body_sizes(const double h) const;
     void check_number_of_particles(const MeshSize<dim> &mesh_size) const;
     void check_overlaps(const Fillings &fillings, const double h) const;
@@ -75,11 +76,11 @@ namespace Lahar
 
     std::vector<std::unique_ptr<FluidBody<dim>>> bodies;
     std::vector<WallShape<dim>> wall_shapes;
-    double mesh_scale = 1.;
+    unsigned int max_particles = 0;
+    double mesh_scale          = 1.;
     std::map<std::string, double>
       mesh_edges; ///< of the mesh file's groups of fluid the mean length of edges, m
     std::vector<Point<dim>> mesh_wall_corners; ///< of the walls from the mesh file
-    unsigned int max_particles = 0;
   };
 } // namespace Lahar
 
