@@ -54,6 +54,8 @@ namespace Lahar
     has_binary_parts = type == 1;
     if (!has_binary_parts)
       return;
+    if (format == 40)
+      fail("a binary file of format 4.0", "format 4.1 (gmsh -bin -format msh41) or ASCII, as in gmsh");
     if (size != sizeof(double))
       fail("a binary file with the data size " + std::to_string(size), std::to_string(sizeof(double)));
     set_binary(true);

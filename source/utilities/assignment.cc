@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 namespace Lahar
@@ -28,7 +29,8 @@ namespace Lahar
         , depth(depth)
       {
         const std::string where = named_by.empty() ? "" : named_by + ": ";
-        const auto status       = std::filesystem::status(file_name);
+        std::error_code error;
+        const auto status = std::filesystem::status(file_name, error);
         // To read another device might never end.
         if (std::filesystem::is_regular_file(status) || std::filesystem::is_fifo(status))
           file.open(file_name, std::ios::binary);
@@ -61,7 +63,7 @@ namespace Lahar
         if (!opened.empty())
           throw InputError(file_name + ":" + std::to_string(opened.back()) + ": the subsection " +
                            in_quotes(sections.back()) +
-                           " has no 'end' in its file. Allowed: 'end' for each " + "subsection.");
+                           " has no 'end' in its file. Allowed: an 'end' for each subsection.");
       }
 
     private:

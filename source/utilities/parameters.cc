@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace Lahar
 {
@@ -52,9 +53,12 @@ namespace Lahar
         continue;
       std::string value = assignment.value;
       if (is_file(entry_path) && !value.empty())
-        value = std::filesystem::absolute(std::filesystem::path(assignment.directory) / value)
-                  .lexically_normal()
-                  .string();
+      {
+        const std::filesystem::path name = std::filesystem::path(assignment.directory) / value;
+        std::error_code error;
+        const std::filesystem::path whole = std::filesystem::absolute(name, error);
+        value                             = (error ? name : whole).lexically_normal().string();
+      }
       for (const std::string &section : assignment.sections)
         enter_subsection(section);
       set(assignment.entry, value);

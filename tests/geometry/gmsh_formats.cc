@@ -123,6 +123,8 @@ int main()
   std::string data = read("column_41_binary.msh");
   std::reverse(data.begin() + data.find('\n', 14) + 1, data.begin() + data.find('\n', 14) + 5);
   check("another order of bytes", is_refused<2>(data, "order of bytes"));
+  check("binary format 4.0, which gmsh does not write",
+        is_refused<2>("$MeshFormat\n4 1 8\n\1\0\0\0", "format 4.1"));
   check("an old format", is_refused<2>("$MeshFormat\n1 0 8\n$EndMeshFormat\n", "2.2, 4.0 and 4.1"));
   return n_failed;
 }

@@ -20,8 +20,8 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * The points and the physical groups of a gmsh mesh (file format 2, 4.0 or 4.1, ASCII or binary): what the cloud needs
-   * of it.
+   * The points and the physical groups of a gmsh mesh (file format 2 or 4.1, ASCII or binary, or 4.0, ASCII): what the cloud
+   * needs of it.
    *
    * A group is called by its name, or by its tag if no group of its dimension has that name. Groups of cells are made of
    * triangles and quadrilaterals in the plane, of tetrahedra in space; groups of facets of lines in the plane, of
