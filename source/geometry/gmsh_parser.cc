@@ -33,9 +33,9 @@ namespace Lahar
 
 
   /**
-   * A file is a row of sections "$Name ... $EndName"; unknown ones are skipped. In a binary file the sections $Entities,
-   * $Nodes and $Elements are binary (in format 2: behind their count). No memory is reserved by a count of the file: each
-   * item that a count announces must be found first.
+   * A file is a row of sections "$Name ... $EndName"; unknown ones are skipped. In a binary file the sections
+   * $Entities, $Nodes and $Elements are binary (in format 2: behind their count). No memory is reserved by a count of
+   * the file: each item that a count announces must be found first.
    */
   template <int dim>
   class GmshFile<dim>::Parser

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Test that one mesh in all formats of gmsh's that are read (ASCII and binary, of first and second order) has the same
-// fluid and the same walls; groups by tags and by names with commas; the factor for lengths; and that files which end too
-// early or have wrong bytes are refused.
+// fluid and the same walls; groups by tags and by names with commas; the factor for lengths; and that files which end
+// too early or have wrong bytes are refused.
 
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/remeshing/simplex_geometry.h>

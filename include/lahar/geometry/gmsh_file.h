@@ -20,14 +20,14 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * The points and the physical groups of a gmsh mesh (file format 2 or 4.1, ASCII or binary, or 4.0, ASCII): what the cloud
-   * needs of it.
+   * The points and the physical groups of a gmsh mesh (file format 2 or 4.1, ASCII or binary, or 4.0, ASCII): what the
+   * cloud needs of it.
    *
-   * A group is called by its name, or by its tag if no group of its dimension has that name. Groups of cells are made of
-   * triangles and quadrilaterals in the plane, of tetrahedra in space; groups of facets of lines in the plane, of
-   * triangles and quadrilaterals in space. A quadrilateral counts as two triangles, an element of second order as one of
-   * first order with its corners. Elements of a lower dimension are ignored, others are refused. An element belongs to
-   * all groups of its entity.
+   * A group is called by its name, or by its tag if no group of its dimension has that name. Groups of cells are made
+   * of triangles and quadrilaterals in the plane, of tetrahedra in space; groups of facets of lines in the plane, of
+   * triangles and quadrilaterals in space. A quadrilateral counts as two triangles, an element of second order as one
+   * of first order with its corners. Elements of a lower dimension are ignored, others are refused. An element belongs
+   * to all groups of its entity.
    */
   template <int dim>
   class GmshFile

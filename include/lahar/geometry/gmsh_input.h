@@ -11,8 +11,8 @@
 namespace Lahar
 {
   /**
-   * A gmsh file as lines of words, blank lines passed over; in its binary parts as a row of numbers. Errors, InputError,
-   * name the file and the line, from the first binary part on the byte.
+   * A gmsh file as lines of words, blank lines passed over; in its binary parts as a row of numbers. Errors,
+   * InputError, name the file and the line, from the first binary part on the byte.
    */
   class GmshInput
   {

@@ -65,7 +65,8 @@ namespace Lahar
     template <int dim>
     Tensor<1, dim> get_vector(const std::string &entry) const;
 
-    /// Names separated by commas; one with a comma stands in double quotes. InputError for a quote without its other one.
+    /// Names separated by commas; one with a comma stands in double quotes. InputError for anything beside a quoted
+    /// name.
     std::vector<std::string> get_names(const std::string &entry) const;
 
     /// The values of all entries by their full paths.
