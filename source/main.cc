@@ -5,6 +5,7 @@
 
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
+#include <lahar/utilities/assignment.h>
 #include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/version.h>
@@ -13,10 +14,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <new>
-#include <sstream>
 
 namespace
 {
@@ -86,48 +85,6 @@ namespace
 
 
 
-  /// Set the entry "Section/Subsection/Entry" to a value, which may be on several lines.
-  void override_entry(Parameters &prm, std::string text)
-  {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw InputError("Option --set is '" + text + "'. Allowed: \"Section/Subsection/Entry=value\".");
-    const std::string path            = Utilities::trim(text.substr(0, equals)),
-                      value           = Utilities::trim(text.substr(equals + 1));
-    std::vector<std::string> sections = split_list(path, '/');
-    if (sections.empty())
-      throw InputError("Option --set is '" + text + "'. Allowed: \"Section/Subsection/Entry=value\".");
-    const std::string entry = sections.back();
-    sections.pop_back();
-
-    std::ostringstream input;
-    for (const std::string &section : sections)
-      input << "subsection " << section << "\n";
-    input << "set " << entry << " = " << value << "\n";
-    for (unsigned int i = 0; i < sections.size(); ++i)
-      input << "end\n";
-    try
-    {
-      prm.parse_input_from_string(input.str());
-    }
-    catch (const ParameterHandler::ExcEntryUndeclared &)
-    {
-      throw InputError("Option --set: there is no entry '" + path + "'. See lahar --print-parameters prm.");
-    }
-    catch (const ParameterHandler::ExcNoSubsection &)
-    {
-      throw InputError("Option --set: there is no entry '" + path + "'. See lahar --print-parameters prm.");
-    }
-    catch (const ExceptionBase &)
-    {
-      throw InputError("Option --set: '" + value + "' is no value for the entry '" + path +
-                       "'. See lahar --print-parameters prm.");
-    }
-  }
-
-
-
   void print_parameters(const Parameters &prm, const std::string &format, std::ostream &out)
   {
     prm.print_parameters(out, format == "json"    ? ParameterHandler::JSON
@@ -137,30 +94,15 @@ namespace
 
 
 
-  /// The text of deal.II's exception without its frame, which may quote a long line.
-  std::string short_message(const ExceptionBase &error)
+  /// What the case and then the command line assign.
+  std::vector<Assignment> read(const CommandLine &line)
   {
-    std::ostringstream text;
-    error.print_info(text);
-    const std::string message = Utilities::trim(text.str());
-    return message.size() > 1000 ? message.substr(0, 1000) + " ..." : message;
-  }
-
-
-
-  void read(const std::string &file_name, Parameters &prm)
-  {
-    std::ifstream file(file_name);
-    if (!file || std::filesystem::is_directory(file_name))
-      throw InputError("Cannot read the parameter file '" + file_name + "'.");
-    try
-    {
-      prm.parse_input(file, file_name);
-    }
-    catch (const ExceptionBase &error)
-    {
-      throw InputError("Parameter file: " + short_message(error));
-    }
+    std::vector<Assignment> assignments;
+    if (!line.file_name.empty())
+      assignments = read_parameter_file(line.file_name);
+    for (const std::string &text : line.overrides)
+      assignments.push_back(parse_override(text));
+    return assignments;
   }
 
 
@@ -187,72 +129,60 @@ namespace
 
 
   /// The case's entry 'Dimension' before the parameters, which depend on it, are declared; a wrong value shows later.
-  unsigned int find_dimension(const CommandLine &line)
+  unsigned int find_dimension(const std::vector<Assignment> &assignments)
   {
-    Parameters prm;
-    RunParameters::declare_parameters(prm);
-    std::ifstream file(line.file_name);
-    try
-    {
-      if (file)
-        prm.parse_input(file, line.file_name, "", true);
-      for (const std::string &text : line.overrides)
-        if (text.find("Dimension") != std::string::npos)
-          override_entry(prm, text);
-    }
-    catch (const std::exception &)
-    {}
-    return prm.get("Dimension") == "3" ? 3 : 2;
+    unsigned int dimension = 2;
+    for (const Assignment &assignment : assignments)
+      if (assignment.path() == "Dimension")
+        dimension = assignment.value == "3" ? 3 : 2;
+    return dimension;
   }
 
 
 
   /// How many solids the case counts or describes; what is wrong with the input shows later.
-  unsigned int count_solids(const CommandLine &line)
+  unsigned int count_solids(const std::vector<Assignment> &assignments)
   {
-    Parameters prm;
-    Solids<2>::declare_parameters(prm, 0);
-    std::ifstream file(line.file_name);
-    try
+    unsigned int counted = 0, described = 0;
+    const auto number = [](const std::string &text) {
+      try
+      {
+        return static_cast<unsigned int>(std::clamp(to_number(text), 0., double(Solids<2>::maximum)));
+      }
+      catch (const std::invalid_argument &)
+      {
+        return 0U;
+      }
+    };
+    for (const Assignment &assignment : assignments)
     {
-      if (file)
-        prm.parse_input(file, line.file_name, "", true);
-      for (const std::string &text : line.overrides)
-        if (text.find("Number of solids") != std::string::npos)
-          override_entry(prm, text);
-      prm.enter_subsection("Solids");
-      unsigned int n_solids = prm.get_count("Number of solids", 0, Solids<2>::maximum);
-      std::ifstream text(line.file_name);
-      for (std::string word, number; text >> word;)
-        if (word == "subsection" && text >> word && word == "Solid" && text >> number &&
-            number.find_first_not_of("0123456789") == std::string::npos && number.size() < 4)
-          n_solids = std::max<unsigned int>(n_solids,
-                                            std::min<unsigned int>(std::stoi(number), Solids<2>::maximum));
-      return n_solids;
+      if (assignment.path() == "Solids/Number of solids")
+        counted = number(assignment.value);
+      if (assignment.sections.size() > 1 && assignment.sections[0] == "Solids" &&
+          assignment.sections[1].rfind("Solid ", 0) == 0)
+        described = std::max(described, number(assignment.sections[1].substr(6)));
     }
-    catch (const std::exception &)
-    {
-      return 0;
-    }
+    return std::max(counted, described);
   }
 
 
 
   template <int dim>
-  void run(const CommandLine &line)
+  void run(const CommandLine &line, const std::vector<Assignment> &assignments)
   {
     // Without a case there is one solid for show.
-    Parameters prm;
-    Simulator<dim>::declare_parameters(prm, std::max(count_solids(line), line.file_name.empty() ? 1U : 0U));
+    const unsigned int n_solids = std::max(count_solids(assignments), line.file_name.empty() ? 1U : 0U);
+    Parameters prm, of_other_dimension;
+    Simulator<dim>::declare_parameters(prm, n_solids);
+    Simulator<5 - dim>::declare_parameters(of_other_dimension, n_solids);
+    of_other_dimension.set("Dimension", std::to_string(5 - dim));
     if (!line.print_format.empty())
     {
       if (is_first_rank(MPI_COMM_WORLD))
         print_parameters(prm, line.print_format, std::cout);
       return;
     }
-    read(line.file_name, prm);
-    for (const std::string &text : line.overrides)
-      override_entry(prm, text);
+    prm.assign(assignments, of_other_dimension);
 
     Simulator<dim> simulator(prm, MPI_COMM_WORLD);
     simulator.initialize();
@@ -276,10 +206,11 @@ namespace
     CommandLine line;
     if (!parse(argc, argv, line))
       return 0;
-    if (find_dimension(line) == 2)
-      run<2>(line);
+    const std::vector<Assignment> assignments = read(line);
+    if (find_dimension(assignments) == 2)
+      run<2>(line, assignments);
     else
-      run<3>(line);
+      run<3>(line, assignments);
     return 0;
   }
 } // namespace

@@ -6,7 +6,7 @@
     snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
 Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run's parameters.prm, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
-starts is a solid body.
+starts is a solid body, or the tank of fluid inside it.
 """
 
 import argparse
@@ -176,9 +176,11 @@ def draw_solids(axes, mesh):
     draw_outline(axes, mesh)
 
 
-def draw_walls(axes, walls):
+def draw_walls(axes, walls, mesh):
+    """Lines; closed ones are filled unless the fluid of @p mesh is inside."""
+    centres = mesh.points[mesh.triangles].mean(axis=1)
     for wall in walls:
-        if wall.is_closed:
+        if wall.is_closed and not Path(wall.corners).contains_points(centres).any():
             axes.fill(*wall.corners.T, facecolor="0.45", edgecolor=INK, linewidth=1.2)
         else:
             axes.plot(*wall.corners.T, color=INK, linewidth=1.8, solid_capstyle="butt", solid_joinstyle="miter")
@@ -251,7 +253,7 @@ def draw(arguments):
         draw_outline(panel, mesh)
         if run.solids[i]:
             draw_solids(panel, run.solids[i])
-        draw_walls(panel, run.walls)
+        draw_walls(panel, run.walls, run.meshes[0])
         panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:],
                   title=(f"{label}, " if len(runs) > 1 else "") + f"$t$ = {run.times[i]:.4g} s")
     label_axes(axes, len(panels))

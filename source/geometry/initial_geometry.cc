@@ -101,6 +101,8 @@ namespace Lahar
       {
         for (const Point<dim> &p : wall.samples(h))
           check(*bodies[b], p, "wall " + wall.name);
+        if (wall.holds(fillings[b], touching * h))
+          continue;
         for (const Point<dim> &p : fillings[b])
           if (wall.encloses(p, tolerance))
             throw InputError("Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " +
@@ -179,6 +181,7 @@ namespace Lahar
   std::vector<bool> InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
                                                  ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
+    check_mesh_scale(h.coarsest());
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     Fillings fillings;

@@ -8,6 +8,7 @@
 #include <lahar/geometry/polygon_body.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace Lahar
@@ -61,7 +62,7 @@ namespace Lahar
       "No-slip walls", "", Patterns::Anything(),
       dim == 2
         ? "Rigid walls without slip, each a polyline 'x, y : x, y ...', separated by ';'. A line "
-          "whose last point is its first one is a closed body."
+          "whose last point is its first one is a closed body, or a tank if fluid lies wholly inside."
         : "Rigid walls without slip, each a convex polygon in a plane 'x, y, z : x, y, z : x, y, z ...', "
           "separated by ';'.");
     prm.declare_entry("Slip walls", "", Patterns::Anything(),
@@ -71,20 +72,25 @@ namespace Lahar
       "Largest number of particles", "10000000", Patterns::Anything(),
       "A case is refused if it asks for more particles than this at the start, 1 to 100000000, as "
       "estimated from the mesh size and the boxes around fluid bodies and walls.");
-    prm.declare_entry("Mesh file", "", Patterns::Anything(),
-                      "A gmsh file (.msh, ASCII, format 2.2 or 4.1) that gives fluid bodies and walls by "
-                      "physical groups. The fluid's particles are its nodes, so its edges should be about as "
-                      "long as 'Mesh size'.");
+    prm.declare_file(
+      "Mesh file",
+      "A gmsh file (.msh) that gives fluid bodies and walls by physical groups; its name is "
+      "relative to the parameter file that gives it (on the command line: to the working "
+      "directory). The fluid's particles are the corners of its elements, so its edges should be "
+      "about as long as 'Mesh size'. Elements of second order count as straight ones.");
+    prm.declare_entry("Mesh scale", "1", Patterns::Anything(),
+                      "Factor for the mesh file's coordinates, above zero: 1e-3 for a mesh in mm.");
+    const std::string list =
+      ", by names or tags separated by commas; a name with a comma in it stands in double "
+      "quotes.";
     const std::string cells  = std::string("physical ") + (dim == 2 ? "surfaces" : "volumes"),
                       facets = std::string("physical ") + (dim == 2 ? "curves" : "surfaces");
     prm.declare_entry("Fluid groups", "", Patterns::Anything(),
-                      "Names of the mesh file's " + cells + " that are fluid, separated by commas.");
+                      "The mesh file's " + cells + " that are fluid" + list);
     prm.declare_entry("No-slip wall groups", "", Patterns::Anything(),
-                      "Names of the mesh file's " + facets +
-                        " that are walls without slip, separated by commas.");
+                      "The mesh file's " + facets + " that are walls without slip" + list);
     prm.declare_entry("Slip wall groups", "", Patterns::Anything(),
-                      "Names of the mesh file's " + facets +
-                        " that are walls with free slip, separated by commas.");
+                      "The mesh file's " + facets + " that are walls with free slip" + list);
     prm.leave_subsection();
   }
 
@@ -248,9 +254,9 @@ namespace Lahar
   void InitialGeometry<dim>::parse_mesh_file(Parameters &prm)
   {
     const std::string file_name = prm.get("Mesh file");
-    const auto fluid            = split_list(prm.get("Fluid groups"), ',');
-    const auto no_slip          = split_list(prm.get("No-slip wall groups"), ',');
-    const auto slip             = split_list(prm.get("Slip wall groups"), ',');
+    const auto fluid            = prm.get_names("Fluid groups");
+    const auto no_slip          = prm.get_names("No-slip wall groups");
+    const auto slip             = prm.get_names("Slip wall groups");
     if (file_name.empty())
     {
       if (!fluid.empty() || !no_slip.empty() || !slip.empty())
@@ -258,7 +264,8 @@ namespace Lahar
       return;
     }
 
-    const GmshFile<dim> file(file_name);
+    mesh_scale = prm.get_positive("Mesh scale");
+    const GmshFile<dim> file(file_name, mesh_scale);
     for (const std::string &group : fluid)
       bodies.push_back(
         std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, file.nodes_of(group)));
@@ -266,18 +273,56 @@ namespace Lahar
       for (const std::string &group : is_slip ? slip : no_slip)
       {
         const std::string name = "group '" + group + "' of " + file_name;
+        for (const auto &facet : file.facets_of(group))
+          mesh_wall_corners.insert(mesh_wall_corners.end(), facet.begin(), facet.end());
         if constexpr (dim == 2)
           for (const auto &[a, b] : file.facets_of(group))
             wall_shapes.push_back({name, {a, b}, false, is_slip, {}});
         else
           wall_shapes.push_back({name, {}, false, is_slip, file.facets_of(group)});
       }
+    for (const std::string &group : fluid)
+      mesh_edges["group '" + group + "' of " + file_name] = file.mean_edge(group);
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::check_mesh_scale(const double h) const
+  {
+    constexpr double largest = 100.;
+    for (const auto &[group, edge] : mesh_edges)
+      if (!(edge < largest * h && edge > h / largest))
+      {
+        std::ostringstream message;
+        message << "Parameter 'Geometry/Mesh scale' is " << mesh_scale << ", with which the edges of "
+                << group << " have a mean length of " << edge << " m; 'Mesh size' is " << h
+                << " m. Allowed: a scale that makes metres of the file's unit (1e-3 for mm), and edges about "
+                   "as long as 'Mesh size'.";
+        throw InputError(message.str());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
+  {
+    std::vector<std::string> result;
+    if (!mesh_wall_corners.empty())
+      result = warn_of_extent("the walls of 'Geometry/Mesh file'", box_around(mesh_wall_corners), h,
+                              "Geometry/Mesh scale");
+    return result;
   }
 
 
 
   template void InitialGeometry<2>::declare_parameters(Parameters &);
   template void InitialGeometry<2>::parse_parameters(Parameters &, const bool);
+  template void InitialGeometry<2>::check_mesh_scale(const double) const;
+  template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &);
   template void InitialGeometry<3>::parse_parameters(Parameters &, const bool);
+  template void InitialGeometry<3>::check_mesh_scale(const double) const;
+  template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;
 } // namespace Lahar

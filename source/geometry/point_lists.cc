@@ -14,6 +14,8 @@ namespace Lahar
     for (const std::string &piece : split_list(text, ':'))
     {
       const std::vector<std::string> numbers = split_list(piece, ',');
+      if (numbers.size() == 5 - dim)
+        prm.throw_wrong_value(entry, allowed + ", since 'Dimension' is " + std::to_string(dim));
       if (numbers.size() != dim)
         prm.throw_wrong_value(entry, allowed);
       points.emplace_back();

@@ -19,12 +19,16 @@ namespace Lahar
       "Elements", "", Patterns::Anything(),
       std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
         " of a box, 1 to 10000, separated by commas; empty: as many as the mesh size asks for.");
-    prm.declare_entry(
-      "Mesh file", "", Patterns::Anything(),
-      "A gmsh file (.msh, ASCII, format 2.2 or 4.1) with the solid's mesh, instead of a box.");
+    prm.declare_file(
+      "Mesh file",
+      "A gmsh file (.msh) with the solid's mesh, instead of a box; its name is relative to the parameter file "
+      "that gives it (on the command line: to the working directory). Elements of second order count as "
+      "straight ones.");
+    prm.declare_entry("Mesh scale", "1", Patterns::Anything(),
+                      "Factor for the mesh file's coordinates, above zero: 1e-3 for a mesh in mm.");
     prm.declare_entry("Group", "", Patterns::Anything(),
                       std::string("The mesh file's physical ") + (dim == 2 ? "surface" : "volume") +
-                        " that is the solid.");
+                        " that is the solid, by its name or its tag.");
   }
 
 
@@ -81,9 +85,12 @@ namespace Lahar
   template <int dim>
   void SolidShape<dim>::parse_mesh_file(Parameters &prm)
   {
-    const GmshFile<dim> file(prm.get("Mesh file"));
+    const GmshFile<dim> file(prm.get("Mesh file"), prm.get_positive("Mesh scale"));
+    // A name with a comma may stand in quotes, as in a list.
+    const std::string text = prm.get("Group");
+    const bool is_quoted   = text.size() > 1 && text.front() == '"' && text.back() == '"';
     std::vector<Simplex<dim>> simplices;
-    file.cells_of(prm.get("Group"), file_vertices, simplices);
+    file.cells_of(is_quoted ? text.substr(1, text.size() - 2) : text, file_vertices, simplices);
     for (Simplex<dim> simplex : simplices)
     {
       if (signed_volume<dim>(corners_of<dim>(simplex, file_vertices)) < 0.)

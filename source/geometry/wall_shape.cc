@@ -84,6 +84,16 @@ namespace Lahar
 
 
   template <>
+  bool WallShape<2>::holds(const std::vector<Point<2>> &points, const double tolerance) const
+  {
+    return closed && std::all_of(points.begin(), points.end(), [&](const Point<2> &point) {
+             return is_inside(corners, point) || distance_to_contour(corners, point) < tolerance;
+           });
+  }
+
+
+
+  template <>
   std::vector<std::array<Point<3>, 3>> WallShape<3>::triangles() const
   {
     return mesh_facets.empty() ? PlanePolygon(corners).triangles() : mesh_facets;
@@ -145,6 +155,14 @@ namespace Lahar
 
   template <>
   bool WallShape<3>::encloses(const Point<3> &, const double) const
+  {
+    return false;
+  }
+
+
+
+  template <>
+  bool WallShape<3>::holds(const std::vector<Point<3>> &, const double) const
   {
     return false;
   }

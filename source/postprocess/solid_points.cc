@@ -4,6 +4,8 @@
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   /**
@@ -52,9 +54,11 @@ namespace Lahar
   template <int dim>
   void SolidPoints<dim>::initialize(const Solids<dim> &solids)
   {
-    const double tolerance = 1e-8;
+    // A thousandth of a cell outside is rounding.
+    constexpr double tolerance = 1e-3;
     for (MaterialPoint &point : points)
     {
+      double nearest = tolerance;
       if (!solids.empty())
         for (const auto &cell : solids.mesh().dof_handler().active_cell_iterators())
         {
@@ -67,18 +71,27 @@ namespace Lahar
           {
             continue; // the cell is too thin, or the point too far away
           }
-          if (!cell->reference_cell().contains_point(unit, tolerance))
+          // Inside, all barycentric coordinates are positive.
+          double outside = -1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            outside += unit[d];
+          for (unsigned int d = 0; d < dim; ++d)
+            outside = std::max(outside, -unit[d]);
+          if (outside > nearest)
             continue;
+          nearest                   = outside;
           const auto &fe            = solids.mesh().dof_handler().get_fe();
           const unsigned int *nodes = solids.mesh().cell_nodes(cell->active_cell_index());
           point.nodes.assign(nodes, nodes + fe.dofs_per_cell);
+          point.shares.clear();
           for (unsigned int I = 0; I < fe.dofs_per_cell; ++I)
             point.shares.push_back(fe.shape_value(I, unit));
-          break;
         }
       if (point.nodes.empty())
-        throw InputError("Parameter '" + path + "': the point '" + point.name +
-                         "' lies in no solid. Allowed: points of the undeformed solids.");
+        throw InputError(
+          "Parameter '" + path + "': the point '" + point.name +
+          "' lies in no solid. Allowed: points of the undeformed solids, up to a thousandth of "
+          "an element outside.");
     }
   }
 

@@ -10,6 +10,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace Lahar
@@ -207,10 +208,15 @@ namespace Lahar
           return true;
       return false;
     };
+    // A case may have moved with its mesh files.
+    const auto is_same = [&](const std::string &path, const std::string &a, const std::string &b) {
+      return a == b || (prm.is_file(path) &&
+                        std::filesystem::path(a).filename() == std::filesystem::path(b).filename());
+    };
     for (const auto &[path, value] : values)
     {
       const auto earlier = earlier_values.find(path);
-      if (!may_change(path) && (earlier == earlier_values.end() || earlier->second != value))
+      if (!may_change(path) && (earlier == earlier_values.end() || !is_same(path, earlier->second, value)))
         throw InputError("Parameter '" + path + "' is '" + value + "'. Allowed when a run is resumed: " +
                          (earlier == earlier_values.end()
                             ? "not to be there, as in the checkpoint"

@@ -24,6 +24,8 @@ namespace Lahar
     if (solves_directly && Utilities::MPI::n_mpi_processes(communicator) > 1)
       warnings.push_back("Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; "
                          "'iterative' is.");
+    for (const std::string &text : geometry.warnings(mesh_size.coarsest()))
+      warnings.push_back(text);
     const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
     if (!warning.empty())
       warnings.push_back(warning);

@@ -5,9 +5,11 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <lahar/boundary/walls.h>
+#include <lahar/geometry/gmsh_file.h>
 #include <lahar/solid/solids.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -93,6 +95,11 @@ namespace Lahar
                 << "; 'Elements' of a box sets its number of elements.";
         throw InputError(message.str());
       }
+      if (bodies[body].shape.is_from_file())
+        for (const std::string &text :
+             warn_of_extent("the elements of " + bodies[body].name, bodies[body].shape.box(), h,
+                            "Solids/" + body_name(body) + "/Mesh scale"))
+          warnings.push_back(text);
       bodies[body].shape.append(degree * size, body, vertices, cells);
     }
     solid_mesh->reinit(vertices, cells);
@@ -101,6 +108,16 @@ namespace Lahar
     tolerance                  = 1e-6 * h;
 
     check_contour();
+    double widest = 0., narrowest = std::numeric_limits<double>::max();
+    for (const auto &facet : mesh.contour())
+      for (unsigned int v = 0; v < dim; ++v)
+      {
+        const double length = mesh.reference_position(facet[v]).distance(
+          mesh.reference_position(facet[(v + 1) % dim]));
+        widest    = std::max(widest, length);
+        narrowest = std::min(narrowest, length);
+      }
+    place_tolerance = 1e-3 * narrowest;
 
     present.position.resize(n);
     present.velocity.resize(n);
@@ -122,8 +139,8 @@ namespace Lahar
         present.velocity[i][d] = body.initial_velocity->value(reference, d);
       if (i < mesh.n_contour_nodes())
       {
-        clamped[i] = body.clamped.contains(reference, tolerance);
-        driven[i]  = !clamped[i] && body.driven.contains(reference, tolerance);
+        clamped[i] = body.clamped.contains(reference, place_tolerance);
+        driven[i]  = !clamped[i] && body.driven.contains(reference, place_tolerance);
         n_clamped[b] += clamped[i];
         n_driven[b] += driven[i];
       }
@@ -133,7 +150,7 @@ namespace Lahar
     for (const auto &cell : mesh.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f) &&
-            bodies[cell->material_id()].loaded.contains(cell->face(f)->center(), tolerance))
+            bodies[cell->material_id()].loaded.contains(cell->face(f)->center(), place_tolerance))
           ++n_loaded[cell->material_id()];
     any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
 
@@ -152,11 +169,6 @@ namespace Lahar
           " is neither clamped, driven nor loaded, and there is no fluid and no gravity: only "
           "its initial velocity moves it.");
 
-    double widest = 0.;
-    for (const auto &facet : mesh.contour())
-      for (unsigned int v = 0; v < dim; ++v)
-        widest = std::max(widest, mesh.reference_position(facet[v]).distance(
-                                    mesh.reference_position(facet[(v + 1) % dim])));
     if (widest > 3. * h)
     {
       std::ostringstream text;
@@ -251,7 +263,7 @@ namespace Lahar
       for (const unsigned int f : cell->face_indices())
       {
         const auto &loaded = bodies[cell->material_id()].loaded;
-        if (!cell->at_boundary(f) || !loaded.contains(cell->face(f)->center(), tolerance))
+        if (!cell->at_boundary(f) || !loaded.contains(cell->face(f)->center(), place_tolerance))
           continue;
         values.reinit(cell, f);
         const unsigned int *nodes = solid_mesh->cell_nodes(cell->active_cell_index());

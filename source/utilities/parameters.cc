@@ -5,37 +5,15 @@
 
 #include <lahar/utilities/parameters.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace Lahar
 {
-  void Parameters::parse_input(std::istream &input, const std::string &file_name,
-                               const std::string &last_line, const bool skip_undefined)
-  {
-    // deal.II calls this function for the file that a line "include file" names.
-    constexpr unsigned int deepest = 20;
-    if (depth == deepest)
-      throw InputError("Parameter file: more than " + std::to_string(deepest) +
-                       " files include each other. Allowed: a file that does not include itself.");
-    if (depth == 0)
-      skip_unknown = skip_undefined;
-    ++depth;
-    try
-    {
-      ParameterHandler::parse_input(input, file_name, last_line, skip_unknown);
-    }
-    catch (...)
-    {
-      --depth;
-      throw;
-    }
-    --depth;
-  }
-
-
-
   void Parameters::enter_subsection(const std::string &name)
   {
     ParameterHandler::enter_subsection(name);
@@ -48,6 +26,74 @@ namespace Lahar
   {
     ParameterHandler::leave_subsection();
     sections.pop_back();
+  }
+
+
+
+  void Parameters::declare_file(const std::string &entry, const std::string &documentation)
+  {
+    declare_entry(entry, "", Patterns::Anything(), documentation);
+    files.insert(path(entry));
+  }
+
+
+
+  void Parameters::assign(const std::vector<Assignment> &assignments, const Parameters &of_other_dimension)
+  {
+    const std::map<std::string, std::string> known = values();
+    for (const Assignment &assignment : assignments)
+    {
+      const auto has_slash = [](const std::string &name) { return name.find('/') != std::string::npos; };
+      const std::string entry_path = assignment.path();
+      if (!subsection_path_exists(assignment.sections) || has_slash(assignment.entry) ||
+          std::any_of(assignment.sections.begin(), assignment.sections.end(), has_slash) ||
+          (!assignment.entry.empty() && known.count(entry_path) == 0))
+        throw_unknown(assignment, of_other_dimension);
+      if (assignment.entry.empty())
+        continue;
+      std::string value = assignment.value;
+      if (is_file(entry_path) && !value.empty())
+      {
+        const std::filesystem::path name = std::filesystem::path(assignment.directory) / value;
+        std::error_code error;
+        const std::filesystem::path whole = std::filesystem::absolute(name, error);
+        value                             = (error ? name : whole).lexically_normal().string();
+      }
+      for (const std::string &section : assignment.sections)
+        enter_subsection(section);
+      set(assignment.entry, value);
+      for (unsigned int i = 0; i < assignment.sections.size(); ++i)
+        leave_subsection();
+    }
+  }
+
+
+
+  void Parameters::throw_unknown(const Assignment &assignment, const Parameters &of_other_dimension) const
+  {
+    const bool is_entry = !assignment.entry.empty();
+    const auto paths    = [is_entry](const Parameters &prm) {
+      std::set<std::string> result;
+      for (const auto &[path, value] : prm.values())
+        for (std::size_t end = path.size(); end != std::string::npos && end > 0;
+             end             = path.rfind('/', end - 1))
+          if (is_entry == (end == path.size()))
+            result.insert(path.substr(0, end));
+      return result;
+    };
+    const std::set<std::string> here = paths(*this);
+    const std::string path           = assignment.path();
+    std::string message = assignment.place + ": there is no " + (is_entry ? "entry " : "subsection ") +
+                          in_quotes(path, 200);
+    if (paths(of_other_dimension).count(path) > 0)
+      message += " where 'Dimension' is " + get("Dimension") +
+                 ". Allowed: 'set Dimension = " + of_other_dimension.get("Dimension") + "' for it, or";
+    else
+    {
+      const std::string nearest = nearest_name(path, {here.begin(), here.end()});
+      message += nearest.empty() ? ". Allowed:" : "; the nearest is '" + nearest + "'. Allowed:";
+    }
+    throw InputError(message + " what 'lahar --print-parameters prm' prints.");
   }
 
 
@@ -125,6 +171,9 @@ namespace Lahar
   Tensor<1, dim> Parameters::get_vector(const std::string &entry) const
   {
     const std::vector<std::string> components = split_list(get(entry), ',');
+    if (components.size() == 5 - dim)
+      throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas, since 'Dimension' is " +
+                                 std::to_string(dim));
     if (components.size() != dim)
       throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas");
     Tensor<1, dim> vector;
@@ -138,6 +187,26 @@ namespace Lahar
       throw_wrong_value(entry, std::to_string(dim) + " numbers separated by commas");
     }
     return vector;
+  }
+
+
+
+  std::vector<std::string> Parameters::get_names(const std::string &entry) const
+  {
+    const std::string text = get(entry);
+    std::vector<std::string> names;
+    for (std::size_t begin = 0, end; begin < text.size(); begin = end + 1)
+    {
+      begin              = std::min(text.find_first_not_of(" \t", begin), text.size());
+      const bool quoted  = text[begin] == '"';
+      const auto closing = quoted ? text.find('"', begin + 1) : begin;
+      end                = std::min(text.find(',', closing), text.size());
+      if (closing == std::string::npos || (quoted && text.find_first_not_of(" \t", closing + 1) < end))
+        throw_wrong_value(entry, "names separated by commas, those with a comma in double quotes");
+      names.push_back(quoted ? text.substr(begin + 1, closing - begin - 1)
+                             : Utilities::trim(text.substr(begin, end - begin)));
+    }
+    return names;
   }
 
 

@@ -2,6 +2,8 @@
 //
 //   gmsh -3 -format msh22 -o basin_22.msh basin.geo
 //   gmsh -3 -format msh41 -o basin_41.msh basin.geo
+//   gmsh -3 -bin -format msh41 -o basin_41_binary.msh basin.geo
+//   gmsh -3 -order 2 -bin -format msh22 -o basin_22_quadratic.msh basin.geo
 h = 0.2;
 
 Point(1) = {0, 0, 0, h};   Point(2) = {1, 0, 0, h};   Point(3) = {1, 0.6, 0, h};   Point(4) = {0, 0.6, 0, h};

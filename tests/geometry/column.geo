@@ -3,6 +3,10 @@
 //
 //   gmsh -2 -format msh22 -o column_22.msh column.geo
 //   gmsh -2 -format msh41 -o column_41.msh column.geo
+//   gmsh -2 -format msh40 -o column_40.msh column.geo
+//   gmsh -2 -bin -format msh22 -o column_22_binary.msh column.geo
+//   gmsh -2 -bin -format msh41 -o column_41_binary.msh column.geo
+//   gmsh -2 -order 2 -format msh41 -o column_41_quadratic.msh column.geo
 h = 0.03;
 
 Point(1) = {0, 0, 0, h};

@@ -177,6 +177,15 @@ int main(int argc, char **argv)
   const double step_error = step.mesh.volume(step.cloud) - 1.25;
   check("two bodies", step_error < 1e-10 && step_error > -0.03);
   check("a closed wall is closed", step.walls.facets().size() == 5);
+  const std::string open_tank = "0, 2 : 0, 0 : 1.5, 0 : 1.5, 2";
+  const Case in_open_tank({{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", open_tank}}, 0.1);
+  const Case in_tank({{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", open_tank + " : 0, 2"}}, 0.1);
+  check("fluid in a closed wall has the volume of that between open ones",
+        in_tank.mesh.volume(in_tank.cloud) - in_open_tank.mesh.volume(in_open_tank.cloud), 1e-12);
+  unsigned int n_on_lid = 0;
+  for (const Point<2> &p : in_tank.cloud.position)
+    n_on_lid += p[1] > 2. - 1e-12;
+  check("a tank has a lid", in_tank.walls.facets().size() == 4 && n_on_lid == 16);
 
   check_error("no fluid", {{"No-slip walls", walls}},
               {"Geometry/Fluid boxes", "Geometry/Fluid polygons", "Geometry/Fluid groups"});
@@ -184,9 +193,9 @@ int main(int argc, char **argv)
               {"Mesh size", "0.1", "0.05", "Geometry/Fluid boxes", "Allowed"});
   check_error("fluid over a wall", {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "0.5, -1 : 0.5, 2"}},
               {"overlaps wall", "Geometry/No-slip walls", "Geometry/Fluid boxes", "0.5"});
-  check_error("fluid inside a closed wall",
-              {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "-1, -1 : 2, -1 : 2, 2 : -1, 2 : -1, -1"}},
-              {"overlaps wall"});
+  check_error("fluid partly inside a closed wall",
+              {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "0, 0 : 0.5, 0 : 0.5, 2 : 0, 2 : 0, 0"}},
+              {"overlaps wall", "0.5"});
   check_error("wall inside the fluid",
               {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0.4, 0.4 : 0.6, 0.6"}},
               {"overlaps wall", "Geometry/Slip walls"});

@@ -142,7 +142,7 @@ def find_cases():
     cases = []
     for path in sorted(ROOT.glob("prm/**/*.prm")):
         text = path.read_bytes()
-        files = {name.decode(): (ROOT / name.decode()).read_bytes() for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
+        files = {name.decode(): (path.parent / name.decode()).read_bytes() for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
     # The column lies in the plane, the basin in space.
     for pattern, dimension, size, floor in (("column*", b"2", b"0.03", b"0, 0 : 1, 0"),

@@ -51,10 +51,16 @@ namespace Lahar
     std::vector<bool> create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
                              ParticleCloud<dim> &cloud, Walls<dim> &walls) const;
 
+    /// What is odd about the mesh file at the spacing @p h (m): walls out of all proportion to it.
+    std::vector<std::string> warnings(const double h) const;
+
   private:
     void parse_bodies(Parameters &prm);
     void parse_walls(Parameters &prm, const std::string &entry, const bool slip);
     void parse_mesh_file(Parameters &prm);
+
+    /// @throws InputError if the fluid's mesh is far finer or coarser than @p h.
+    void check_mesh_scale(const double h) const;
 
     /// The points of each body.
     using Fillings = std::vector<std::vector<Point<dim>>>;
@@ -71,6 +77,10 @@ namespace Lahar
     std::vector<std::unique_ptr<FluidBody<dim>>> bodies;
     std::vector<WallShape<dim>> wall_shapes;
     unsigned int max_particles = 0;
+    double mesh_scale          = 1.;
+    std::map<std::string, double>
+      mesh_edges; ///< of the mesh file's groups of fluid the mean length of edges, m
+    std::vector<Point<dim>> mesh_wall_corners; ///< of the walls from the mesh file
   };
 } // namespace Lahar
 

@@ -30,6 +30,11 @@ namespace Lahar
     /// @throws InputError for a shape without volume, an unknown file or group, bad elements in the file.
     void parse_parameters(Parameters &prm);
 
+    bool is_from_file() const
+    {
+      return !file_vertices.empty();
+    }
+
     /// The smallest box around the shape.
     Box<dim> box() const;
 

@@ -23,7 +23,7 @@ namespace Lahar
   {
     std::string name; ///< how messages to the user call it
     std::vector<Point<dim>> corners;
-    bool closed = false; ///< of a polyline: the last corner is joined to the first, the wall is a body
+    bool closed = false; ///< of a polyline: the last corner is joined to the first
     bool slip   = false;
     std::vector<std::array<Point<dim>, dim>> mesh_facets; ///< in space, instead of corners
 
@@ -39,8 +39,11 @@ namespace Lahar
     /// Points of the wall about 0.2 h apart (0.5 h in space), to see what it meets.
     std::vector<Point<dim>> samples(const double h) const;
 
-    /// Whether @p point lies deeper than @p tolerance in a wall that is a body.
+    /// Whether @p point lies deeper than @p tolerance in a closed wall.
     bool encloses(const Point<dim> &point, const double tolerance) const;
+
+    /// Whether the wall is closed and all @p points lie inside, or nearer to it than @p tolerance: it is their tank.
+    bool holds(const std::vector<Point<dim>> &points, const double tolerance) const;
 
   private:
     /// The wall in space as triangles.

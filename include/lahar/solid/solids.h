@@ -112,7 +112,8 @@ namespace Lahar
     std::unique_ptr<SolidMesh<dim>> solid_mesh;
     SolidState<dim> present;
     std::vector<bool> clamped, driven;
-    double tolerance       = 0.; ///< for places, m
+    double tolerance       = 0.; ///< for nodes that touch, m
+    double place_tolerance = 0.; ///< for parts of the contour in boxes, m
     bool any_loads         = false;
     unsigned int max_nodes = 0;
   };

@@ -5,9 +5,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <lahar/utilities/assignment.h>
 #include <lahar/utilities/exceptions.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,24 @@ namespace Lahar
   class Parameters : public ParameterHandler
   {
   public:
-    /// As in ParameterHandler; files that include files are followed to a depth of 20, then InputError.
-    void parse_input(std::istream &input, const std::string &file_name = "input file",
-                     const std::string &last_line = "", const bool skip_undefined = false) override;
-    using ParameterHandler::parse_input;
-
     void enter_subsection(const std::string &name);
     void leave_subsection();
+
+    /// An entry whose value is the name of a file that is read, or empty.
+    void declare_file(const std::string &entry, const std::string &documentation);
+
+    /**
+     * Set entries as the user says. Names of files become absolute ones.
+     * @param of_other_dimension entries of the other space dimension, for messages.
+     * @throws InputError with the place for a subsection or an entry that was not declared.
+     */
+    void assign(const std::vector<Assignment> &assignments, const Parameters &of_other_dimension);
+
+    /// Whether the value of the entry with this full path is the name of a file.
+    bool is_file(const std::string &path) const
+    {
+      return files.count(path) > 0;
+    }
 
     /// Full path of @p entry in the current section, as in "Fluid/Bingham/Density".
     std::string path(const std::string &entry) const;
@@ -52,13 +65,18 @@ namespace Lahar
     template <int dim>
     Tensor<1, dim> get_vector(const std::string &entry) const;
 
+    /// Names separated by commas; one with a comma stands in double quotes. InputError for anything beside a quoted
+    /// name.
+    std::vector<std::string> get_names(const std::string &entry) const;
+
     /// The values of all entries by their full paths.
     std::map<std::string, std::string> values() const;
 
   private:
+    [[noreturn]] void throw_unknown(const Assignment &assignment, const Parameters &of_other_dimension) const;
+
     std::vector<std::string> sections;
-    unsigned int depth = 0;     ///< of the included file that is being read
-    bool skip_unknown  = false; ///< in included files, too
+    std::set<std::string> files; ///< full paths of entries
   };
 
   /// Split @p text at @p separator; pieces lose their surrounding white space, an empty text has no pieces.
