@@ -4,6 +4,7 @@
 #include <lahar/geometry/convex_body.h>
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/mesh_body.h>
 #include <lahar/geometry/point_lists.h>
 #include <lahar/geometry/polygon_body.h>
 
@@ -260,8 +261,13 @@ namespace Lahar
 
     const GmshFile<dim> file(file_name);
     for (const std::string &group : fluid)
+    {
+      std::vector<Point<dim>> nodes;
+      std::vector<Simplex<dim>> simplices;
+      file.cells_of(group, nodes, simplices);
       bodies.push_back(
-        std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, file.nodes_of(group)));
+        std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, nodes, simplices));
+    }
     for (const bool is_slip : {false, true})
       for (const std::string &group : is_slip ? slip : no_slip)
       {

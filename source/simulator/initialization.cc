@@ -17,7 +17,7 @@ namespace Lahar
     warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
     solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
+    geometry.create(mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
@@ -33,7 +33,8 @@ namespace Lahar
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     try
     {
-      remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, migration, fluid_mesh);
+      remesher.create_mesh(particles, obstacles(contour), contour.facets(), geometry.region(), migration,
+                           fluid_mesh);
     }
     catch (const RunError &error)
     {
@@ -48,6 +49,24 @@ namespace Lahar
     time = parameters.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     initial_volume = volume = sum_of_ranks(fluid_mesh.volume(particles));
+    warn_of_coarse_mesh();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::warn_of_coarse_mesh()
+  {
+    const double asked = geometry.fluid_volume(), difference = initial_volume - asked;
+    if (std::abs(difference) > 0.01 * asked)
+    {
+      const std::string unit = dim == 2 ? " m^2" : " m^3";
+      std::ostringstream text;
+      text << "Warning: the first mesh has " << initial_volume << unit << " of fluid, and " << asked << unit
+           << " are asked for (" << std::showpos << 100. * difference / asked
+           << " %): 'Mesh size' is too coarse for the shape.";
+      warnings.push_back(text.str());
+    }
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
+#include <lahar/boundary/solid_collision.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/utilities/stop_signal.h>
@@ -192,11 +193,13 @@ namespace Lahar
       }
     step_control->accept(report.iterations);
 
+    const std::vector<Point<dim>> old_position = solids.state().position;
     move_particles(time_step);
     time += time_step;
     ++step_number;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
+    stop_at_collision(old_position);
   }
 
 
@@ -288,6 +291,28 @@ namespace Lahar
     migration.update(particles);
     fluid_mesh.move(particles);
     n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::stop_at_collision(const std::vector<Point<dim>> &old_position)
+  {
+    const auto place = SolidCollision<dim>::find(solids.mesh(), old_position, solids.state().position, walls);
+    if (!place)
+      return;
+    write_snapshot();
+    write_checkpoint();
+    std::ostringstream message;
+    message
+      << "Time " << time << " s: " << solids.all_bodies()[place->body].name << " has run into "
+      << (place->wall                        ? "wall " + geometry.wall_name(*place->wall)
+          : place->body == place->other_body ? "itself"
+                                             : solids.all_bodies()[place->other_body].name)
+      << " at (" << place->point
+      << ") m. Contact of solids with walls and with each other is not computed: keep them apart by 'Clamped' or "
+         "'Driven', or end the run before.";
+    throw RunError(message.str());
   }
 
 

@@ -96,10 +96,14 @@ namespace Lahar
     /// @throws RunError if a particle moves too far in the solved step.
     void check_movements() const;
     void move_particles(const double time_step);
+    /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
+    void stop_at_collision(const std::vector<Point<dim>> &old_position);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     std::vector<NodeConstraint<dim>> constraints() const;
     void set_initial_velocities();
+    /// Where the first mesh does not show the shapes that were asked for.
+    void warn_of_coarse_mesh();
     void add_statistics(const double time_step, const NonlinearReport &report);
     Snapshot<dim> snapshot() const;
 
