@@ -72,7 +72,7 @@ namespace Lahar
       {
         const auto &corners = walls.facets()[wall].corners;
         const Point<dim> &a = corners[e], &b = corners[(e + 1) % dim];
-        for (const unsigned int f : contour.crossed(a, b, depth, 0.))
+        for (const unsigned int f : contour.crossed(a, b, depth, -depth))
           return Place{meeting(contour, f, a, b), mesh.body_of_node(mesh.contour()[f][0]), wall, 0};
       }
     for (unsigned int i = 0; i < mesh.n_contour_nodes(); ++i)

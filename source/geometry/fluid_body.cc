@@ -20,18 +20,6 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<double> FluidBody<dim>::distances(const std::vector<Point<dim>> &points,
-                                                const MeshSize<dim> &h) const
-  {
-    std::vector<double> result;
-    for (const Point<dim> &p : points)
-      result.push_back(h(p));
-    return result;
-  }
-
-
-
-  template <int dim>
   Box<dim> box_around(const std::vector<Point<dim>> &points)
   {
     Box<dim> box(points.at(0), points.at(0));

@@ -178,11 +178,6 @@ namespace Lahar
   {
     const Walls<dim> facets(wall.facets());
     std::vector<Point<dim>> result;
-    const auto add = [&](const std::vector<Point<dim>> &points, const std::vector<double> &distances) {
-      for (unsigned int i = 0; i < points.size(); ++i)
-        if (is_near(facets, points[i], contact * distances[i]))
-          result.push_back(nearest_point_of(facets, points[i], contact * distances[i]));
-    };
     // Of a row of facets along a wall in the plane, the ends; the wall divides what is between them.
     const auto add_ends = [&](const std::vector<std::array<Point<dim>, dim>> &row, const auto &distance) {
       std::vector<Point<dim>> in_row;
@@ -196,12 +191,12 @@ namespace Lahar
     };
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      const std::vector<Point<dim>> points = dim == 2 ? bodies[b]->corners() : fillings[b];
-      if (!points.empty())
-        add(points, bodies[b]->distances(points, h));
+      const auto distance = [&](const Point<dim> &p) { return contact * h(p) + bodies[b]->roughness(); };
+      for (const Point<dim> &p : dim == 2 ? bodies[b]->corners() : fillings[b])
+        if (is_near(facets, p, distance(p)))
+          result.push_back(nearest_point_of(facets, p, distance(p)));
       if (dim == 2)
-        add_ends(bodies[b]->contour(),
-                 [&](const Point<dim> &p) { return std::max(contact * h(p), bodies[b]->roughness()); });
+        add_ends(bodies[b]->contour(), distance);
     }
     std::vector<std::array<Point<dim>, dim>> of_solids;
     for (const WallFacet<dim> &facet : solids.wall_facets())
@@ -250,45 +245,36 @@ namespace Lahar
     PointSet<dim> places;
     for (const Point<dim> &p : cloud.position)
       places.insert(p);
-    const auto append = [&](const Point<dim> &p, const ParticleKind kind, const double spacing) {
-      cloud.append(p, kind, spacing);
+    const auto append = [&](const Point<dim> &p, const ParticleKind kind) {
+      cloud.append(p, kind, h(p));
       places.insert(p);
     };
     // Two walls may share points.
     for (const Point<dim> &p : create_walls(h, fillings, solids, walls))
       if (places.near(p, contact * h(p)).empty())
-        append(p, ParticleKind::wall, h(p));
+        append(p, ParticleKind::wall);
 
     std::vector<WallFacet<dim>> covered = solids.wall_facets();
     for (const WallFacet<dim> &facet : walls.facets())
       if (!facet.slip)
         covered.push_back(facet);
     const Walls<dim> covered_facets(covered);
-    // A point in the place of a particle of the body's region is none itself.
-    const auto is_taken = [&](const FluidBody<dim> &body, const Point<dim> &p, const double distance,
-                              const double clearance) {
-      if (is_near(covered_facets, p, contact * distance))
-        return true;
-      const std::vector<unsigned int> near = places.near(p, clearance);
-      return std::any_of(near.begin(), near.end(), [&](const unsigned int i) {
-        return body.signed_distance(cloud.position[i]) <
-               (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * distance;
-      });
+    // A point in the place of a particle of the body's region is none itself. Corners come first: they hold the shape.
+    const auto add = [&](const FluidBody<dim> &body, const Point<dim> &p, const double clearance) {
+      if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
+        return;
+      for (const unsigned int i : places.near(p, clearance))
+        if (body.signed_distance(cloud.position[i]) <
+            (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
+          return;
+      append(p, ParticleKind::fluid);
     };
-    for (const auto &body : bodies) // corners first: they hold the shape
+    for (const auto &body : bodies)
       for (const Point<dim> &p : body->corners())
-        if (!is_taken(*body, p, h(p), contact * h(p)))
-          append(p, ParticleKind::fluid, h(p));
+        add(*body, p, contact * h(p));
     for (unsigned int b = 0; b < bodies.size(); ++b)
-    {
-      const std::vector<double> distances = bodies[b]->distances(fillings[b], h);
-      for (unsigned int i = 0; i < fillings[b].size(); ++i)
-      {
-        const Point<dim> &p = fillings[b][i];
-        if (!is_taken(*bodies[b], p, distances[i], 0.3 * std::min(distances[i], h(p))))
-          append(p, ParticleKind::fluid, std::max(distances[i], h(p)));
-      }
-    }
+      for (const Point<dim> &p : fillings[b])
+        add(*bodies[b], p, bodies[b]->clearance() * h(p));
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
   }
@@ -312,20 +298,52 @@ namespace Lahar
 
 
   template <int dim>
+  std::optional<NarrowGap<dim>> InitialGeometry<dim>::narrow_gap(const MeshSize<dim> &h,
+                                                                 const SolidContour<dim> &solids,
+                                                                 const double most) const
+  {
+    std::vector<WallFacet<dim>> facets;
+    std::vector<std::string> owners;
+    for (const WallShape<dim> &wall : wall_shapes)
+      for (const WallFacet<dim> &facet : wall.facets())
+      {
+        facets.push_back(facet);
+        owners.push_back("wall " + wall.name);
+      }
+    for (const WallFacet<dim> &facet : solids.wall_facets())
+    {
+      facets.push_back(facet);
+      owners.push_back("a solid");
+    }
+    return NarrowGap<dim>::find(
+      facets, owners,
+      [&](const Point<dim> &p) {
+        return solids.is_inside(p) || std::any_of(wall_shapes.begin(), wall_shapes.end(),
+                                                  [&](const auto &wall) { return wall.encloses(p, 0.); });
+      },
+      h, most);
+  }
+
+
+
+  template <int dim>
   std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)> InitialGeometry<dim>::region() const
   {
-    return
-      [region = InitialRegion<dim>(bodies)](const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) {
-        double spacing  = 0.;
-        bool is_contact = false;
-        for (const unsigned int i : simplex)
-        {
-          spacing    = std::max(spacing, cloud.spacing[i]);
-          is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid;
-        }
-        return region.holds(corners_of<dim>(simplex, cloud.position),
-                            (is_contact ? contact : touching) * spacing, 0.02 * spacing);
-      };
+    double roughness = 0.;
+    for (const auto &body : bodies)
+      roughness = std::max(roughness, body->roughness());
+    return [region = InitialRegion<dim>(bodies), roughness](const Simplex<dim> &simplex,
+                                                            const ParticleCloud<dim> &cloud) {
+      double spacing  = 0.;
+      bool is_contact = false;
+      for (const unsigned int i : simplex)
+      {
+        spacing    = std::max(spacing, cloud.spacing[i]);
+        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid;
+      }
+      return region.holds(corners_of<dim>(simplex, cloud.position),
+                          (is_contact ? contact : touching) * spacing + roughness, 0.02 * spacing);
+    };
   }
 
 

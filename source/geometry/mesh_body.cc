@@ -2,11 +2,12 @@
 
 #include <lahar/boundary/facet_geometry.h>
 #include <lahar/geometry/mesh_body.h>
+#include <lahar/geometry/point_set.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
 
 namespace Lahar
 {
@@ -17,7 +18,6 @@ namespace Lahar
     , nodes(nodes)
     , cells(simplices)
   {
-    std::vector<double> sum(nodes.size(), 0.), count = sum;
     std::map<std::array<unsigned int, dim>, std::pair<std::array<Point<dim>, dim>, unsigned int>> faces;
     std::vector<CellBox> boxes;
     for (Simplex<dim> &cell : cells)
@@ -33,8 +33,7 @@ namespace Lahar
         for (unsigned int b = 0, n = 0; b <= dim; ++b)
           if (b != a)
           {
-            sum[cell[a]] += nodes[cell[a]].distance(nodes[cell[b]]);
-            count[cell[a]] += 1.;
+            mean_edge += nodes[cell[a]].distance(nodes[cell[b]]) / (dim * (dim + 1) * simplices.size());
             face[n]     = cell[b];
             places[n++] = nodes[cell[b]];
           }
@@ -45,9 +44,6 @@ namespace Lahar
       boxes.emplace_back(BoundingBox<dim>(corners), boxes.size());
     }
     tree = pack_rtree(boxes);
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      edge_length.push_back(sum[i] / count[i]);
-
     std::vector<WallFacet<dim>> single;
     for (const auto &[face, places_and_count] : faces)
       if (places_and_count.second == 1)
@@ -119,31 +115,93 @@ namespace Lahar
   template <int dim>
   double MeshBody<dim>::roughness() const
   {
-    return 0.1 * std::accumulate(edge_length.begin(), edge_length.end(), 0.) / edge_length.size();
+    return 0.05 * mean_edge;
   }
 
 
 
   template <int dim>
-  double MeshBody<dim>::estimate_size(const double) const
+  double MeshBody<dim>::estimate_size(const double h) const
   {
-    return nodes.size();
+    return nodes.size() + volume() / std::pow(h, dim) * (dim == 2 ? 1.2 : 1.6);
   }
 
 
 
   template <int dim>
-  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &) const
+  unsigned int MeshBody<dim>::n_normals_at(const Point<dim> &point) const
   {
-    return nodes;
+    // Orthogonal parts of the normals that are longer than the sine of 20 degrees.
+    std::vector<Tensor<1, dim>> directions;
+    const double tolerance = 1e-9 * longest_edge;
+    for (const unsigned int f : facets.near(point, tolerance))
+      if (nearest_point<dim>(facets.facets()[f].corners, point).distance(point) < tolerance)
+      {
+        Tensor<1, dim> rest = facets.normal(f);
+        for (const Tensor<1, dim> &direction : directions)
+          rest -= (rest * direction) * direction;
+        if (rest.norm() > std::sin(20. / 180. * numbers::PI))
+          directions.push_back(rest / rest.norm());
+      }
+    return directions.size();
   }
 
 
 
-  template <int dim>
-  std::vector<double> MeshBody<dim>::distances(const std::vector<Point<dim>> &, const MeshSize<dim> &) const
+  namespace
   {
-    return edge_length;
+    /// Append the middles of edges by which the simplex must be bisected until none is longer than 1.5 h.
+    template <int dim>
+    void bisect(const SimplexCorners<dim> &corners, const MeshSize<dim> &h, std::vector<Point<dim>> &middles)
+    {
+      unsigned int first = 0, second = 0;
+      double longest = 1.5;
+      Point<dim> middle;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = 0; b < a; ++b)
+        {
+          const Point<dim> candidate = corners[a] + 0.5 * (corners[b] - corners[a]);
+          const double length        = corners[a].distance(corners[b]) / h(candidate);
+          if (length > longest)
+          {
+            longest = length;
+            first   = a;
+            second  = b;
+            middle  = candidate;
+          }
+        }
+      if (first == second)
+        return;
+      middles.push_back(middle);
+      for (const unsigned int replaced : {first, second})
+      {
+        SimplexCorners<dim> half = corners;
+        half[replaced]           = middle;
+        bisect<dim>(half, h, middles);
+      }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &h) const
+  {
+    std::vector<Point<dim>> points = nodes;
+    for (const Simplex<dim> &cell : cells)
+      bisect<dim>(corners_of<dim>(cell, nodes), h, points);
+
+    std::vector<std::vector<Point<dim>>> by_rank(dim + 1);
+    for (const Point<dim> &p : points)
+      by_rank[n_normals_at(p)].push_back(p);
+    std::vector<Point<dim>> result;
+    PointSet<dim> places;
+    for (unsigned int rank = dim + 1; rank-- > 0;)
+      for (const Point<dim> &p : by_rank[rank])
+        if ((rank > 0 || signed_distance(p) < -0.5 * h(p)) &&
+            places.insert_if_free(p, (rank == dim ? 0.1 : 0.6) * h(p)))
+          result.push_back(p);
+    return result;
   }
 
 

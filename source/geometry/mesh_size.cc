@@ -148,6 +148,8 @@ namespace Lahar
   template <int dim>
   void MeshSize<dim>::update(ParticleCloud<dim> &cloud) const
   {
+    if (is_uniform())
+      return;
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
         cloud.spacing[i] = std::max((*this)(cloud.position[i]), largest_decrease * cloud.spacing[i]);

@@ -54,9 +54,11 @@ namespace Lahar
     /// Particles of the body at the distance @p h, on its contour too.
     virtual std::vector<Point<dim>> fill(const MeshSize<dim> &h) const = 0;
 
-    /// The distances of the @p points that fill() gave from their neighbours, m.
-    virtual std::vector<double> distances(const std::vector<Point<dim>> &points,
-                                          const MeshSize<dim> &h) const;
+    /// Points of fill() nearer than this times h to a wall's particle in the body give way to it.
+    virtual double clearance() const
+    {
+      return 0.3;
+    }
 
     /// The facets of a contour that is made of many small ones.
     virtual std::vector<std::array<Point<dim>, dim>> contour() const

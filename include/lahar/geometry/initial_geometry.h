@@ -6,6 +6,7 @@
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/geometry/fluid_body.h>
 #include <lahar/geometry/initial_region.h>
+#include <lahar/geometry/narrow_gap.h>
 #include <lahar/geometry/wall_shape.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/parameters.h>
@@ -59,6 +60,10 @@ namespace Lahar
 
     /// How messages call the wall that facet @p facet of create()'s walls belongs to.
     std::string wall_name(unsigned int facet) const;
+
+    /// The narrowest gap between walls and @p solids with fewer than @p most mesh sizes across.
+    std::optional<NarrowGap<dim>> narrow_gap(const MeshSize<dim> &h, const SolidContour<dim> &solids,
+                                             const double most) const;
 
     /// Of all bodies (area in 2D).
     double fluid_volume() const

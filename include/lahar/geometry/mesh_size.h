@@ -66,8 +66,7 @@ namespace Lahar
 
     /**
      * Give all fluid particles the spacing h of the place where they are now. It falls by 15 % at most in one call: the
-     * division of edges, one a particle and step, cannot follow faster. Without refined boxes only particles of a mesh
-     * file that is coarser than h have another spacing.
+     * division of edges, one a particle and step, cannot follow faster. Nothing happens without refined boxes.
      */
     void update(ParticleCloud<dim> &cloud) const;
 
