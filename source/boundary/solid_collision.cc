@@ -49,7 +49,6 @@ namespace Lahar
     const Walls<dim> contour(facets);
     const double depth = tolerated_depth * size / (dim * facets.size());
 
-    // In the plane the contour's edges are its facets, and a wall's edge that passes through one is passed through by it.
     for (unsigned int f = 0; f < facets.size(); ++f)
       for (unsigned int e = 0; e < n_edges<dim>; ++e)
       {
@@ -67,6 +66,20 @@ namespace Lahar
             return Place{meeting(contour, other, a, b), i, {}, mesh.body_of_node(others[0])};
         }
       }
+    // A wall that enters near a node has a neighbour of the node on each side.
+    if constexpr (dim == 2)
+    {
+      std::vector<unsigned int> next(mesh.n_contour_nodes());
+      for (const auto &nodes : mesh.contour())
+        next[nodes[0]] = nodes[1];
+      for (unsigned int i = 0; i < next.size(); ++i)
+      {
+        const Point<2> &a = position[i], &middle = position[next[i]], &b = position[next[next[i]]];
+        if (cross_product_2d(b - a) * (middle - a) > -1e-3 * (b - a).norm_square()) // not in a hollow
+          for (const unsigned int wall : walls.crossed(a, b, depth, 0.))
+            return Place{meeting(walls, wall, a, b), mesh.body_of_node(i), wall, 0};
+      }
+    }
     for (unsigned int wall = 0; wall < walls.facets().size(); ++wall)
       for (unsigned int e = 0; e < n_edges<dim>; ++e)
       {

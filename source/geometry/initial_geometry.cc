@@ -274,7 +274,7 @@ namespace Lahar
         add(*body, p, contact * h(p));
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : fillings[b])
-        add(*bodies[b], p, bodies[b]->clearance() * h(p));
+        add(*bodies[b], p, 0.3 * h(p));
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
   }

@@ -74,8 +74,7 @@ namespace Lahar
       "estimated from the mesh size and the boxes around fluid bodies and walls.");
     prm.declare_entry("Mesh file", "", Patterns::Anything(),
                       "A gmsh file (.msh, ASCII, format 2.2 or 4.1) that gives fluid bodies and walls by "
-                      "physical groups. The fluid's particles are its nodes, so its edges should be about as "
-                      "long as 'Mesh size'.");
+                      "physical groups. The mesh gives the shape, 'Mesh size' the distance of particles.");
     const std::string cells  = std::string("physical ") + (dim == 2 ? "surfaces" : "volumes"),
                       facets = std::string("physical ") + (dim == 2 ? "curves" : "surfaces");
     prm.declare_entry("Fluid groups", "", Patterns::Anything(),
@@ -260,14 +259,23 @@ namespace Lahar
     }
 
     const GmshFile<dim> file(file_name);
+    std::string names;
+    std::vector<Point<dim>> nodes, of_group;
+    std::vector<Simplex<dim>> simplices, cells;
     for (const std::string &group : fluid)
     {
-      std::vector<Point<dim>> nodes;
-      std::vector<Simplex<dim>> simplices;
-      file.cells_of(group, nodes, simplices);
-      bodies.push_back(
-        std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, nodes, simplices));
+      names += (names.empty() ? "'" : ", '") + group + "'";
+      file.cells_of(group, of_group, cells);
+      for (Simplex<dim> &cell : cells)
+        for (unsigned int &corner : cell)
+          corner += nodes.size();
+      simplices.insert(simplices.end(), cells.begin(), cells.end());
+      nodes.insert(nodes.end(), of_group.begin(), of_group.end());
     }
+    if (!fluid.empty())
+      bodies.push_back(std::make_unique<MeshBody<dim>>((fluid.size() == 1 ? "group " : "groups ") + names +
+                                                         " of " + file_name,
+                                                       nodes, simplices));
     for (const bool is_slip : {false, true})
       for (const std::string &group : is_slip ? slip : no_slip)
       {

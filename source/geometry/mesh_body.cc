@@ -1,16 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/facet_geometry.h>
+#include <lahar/geometry/lattice.h>
 #include <lahar/geometry/mesh_body.h>
 #include <lahar/geometry/point_set.h>
+#include <lahar/geometry/polygon.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace Lahar
 {
+  namespace
+  {
+    template <int dim>
+    double distance_to(const BoundingBox<dim> &box, const Point<dim> &point)
+    {
+      const auto &[lower, upper] = box.get_boundary_points();
+      double square              = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double beside = std::max({0., lower[d] - point[d], point[d] - upper[d]});
+        square += beside * beside;
+      }
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+
   template <int dim>
   MeshBody<dim>::MeshBody(const std::string &name, const std::vector<Point<dim>> &nodes,
                           const std::vector<Simplex<dim>> &simplices)
@@ -18,8 +39,10 @@ namespace Lahar
     , nodes(nodes)
     , cells(simplices)
   {
-    std::map<std::array<unsigned int, dim>, std::pair<std::array<Point<dim>, dim>, unsigned int>> faces;
-    std::vector<CellBox> boxes;
+    using Face = std::array<unsigned int, dim>;
+    std::map<Face, std::pair<Face, unsigned int>>
+      faces; // by sorted nodes: in order, and the number of simplices
+    std::vector<NumberedBox> boxes;
     for (Simplex<dim> &cell : cells)
     {
       if (signed_volume<dim>(corners_of<dim>(cell, nodes)) < 0.)
@@ -28,32 +51,46 @@ namespace Lahar
       for (unsigned int a = 0; a <= dim; ++a)
       {
         corners.push_back(nodes[cell[a]]);
-        std::array<unsigned int, dim> face;
-        std::array<Point<dim>, dim> places;
-        for (unsigned int b = 0, n = 0; b <= dim; ++b)
-          if (b != a)
-          {
-            mean_edge += nodes[cell[a]].distance(nodes[cell[b]]) / (dim * (dim + 1) * simplices.size());
-            face[n]     = cell[b];
-            places[n++] = nodes[cell[b]];
-          }
-        std::sort(face.begin(), face.end());
-        const auto entry = faces.emplace(face, std::make_pair(places, 0U)).first;
-        ++entry->second.second;
+        Face face;
+        for (unsigned int k = 0; k < dim; ++k)
+        {
+          face[k] = cell[(a + 1 + k) % (dim + 1)];
+          mean_edge += nodes[cell[a]].distance(nodes[face[k]]) / (dim * (dim + 1) * simplices.size());
+        }
+        Face sorted = face;
+        std::sort(sorted.begin(), sorted.end());
+        ++faces.emplace(sorted, std::make_pair(face, 0U)).first->second.second;
       }
       boxes.emplace_back(BoundingBox<dim>(corners), boxes.size());
     }
     tree = pack_rtree(boxes);
+
     std::vector<WallFacet<dim>> single;
-    for (const auto &[face, places_and_count] : faces)
-      if (places_and_count.second == 1)
+    for (const auto &[sorted, face_and_count] : faces)
+      if (face_and_count.second == 1)
       {
-        const auto &corners = places_and_count.first;
-        single.push_back({corners, false});
+        WallFacet<dim> facet;
+        Point<dim> middle;
         for (unsigned int v = 0; v < dim; ++v)
-          longest_edge = std::max(longest_edge, corners[v].distance(corners[(v + 1) % dim]));
+        {
+          facet.corners[v] = nodes[face_and_count.first[v]];
+          middle += facet.corners[v] / double(dim);
+        }
+        // Between parts that do not share their nodes.
+        const Tensor<1, dim> step = 1e-6 * facet.corners[0].distance(facet.corners[1]) *
+                                    Walls<dim>({facet}).normal(0);
+        if (is_inside(middle + step) && is_inside(middle - step))
+          continue;
+        facet_nodes.push_back(face_and_count.first);
+        single.push_back(facet);
+        for (unsigned int v = 0; v < dim; ++v)
+          longest_edge = std::max(longest_edge, facet.corners[v].distance(facet.corners[(v + 1) % dim]));
       }
     facets = Walls<dim>(single);
+    boxes.clear();
+    for (const WallFacet<dim> &facet : single)
+      boxes.emplace_back(BoundingBox<dim>(facet.corners), boxes.size());
+    facet_tree = pack_rtree(boxes);
   }
 
 
@@ -104,9 +141,12 @@ namespace Lahar
   template <int dim>
   double MeshBody<dim>::signed_distance(const Point<dim> &point) const
   {
-    double distance = longest_edge;
-    for (const unsigned int f : facets.near(point, longest_edge))
-      distance = std::min(distance, nearest_point<dim>(facets.facets()[f].corners, point).distance(point));
+    // By the distance of the boxes around the facets, which is at most that of the facets.
+    double distance = std::numeric_limits<double>::max();
+    for (auto box = facet_tree.qbegin(boost::geometry::index::nearest(point, facet_tree.size()));
+         box != facet_tree.qend() && distance_to(box->first, point) < distance; ++box)
+      distance = std::min(distance,
+                          nearest_point<dim>(facets.facets()[box->second].corners, point).distance(point));
     return is_inside(point) ? -distance : distance;
   }
 
@@ -150,35 +190,121 @@ namespace Lahar
 
   namespace
   {
-    /// Append the middles of edges by which the simplex must be bisected until none is longer than 1.5 h.
-    template <int dim>
-    void bisect(const SimplexCorners<dim> &corners, const MeshSize<dim> &h, std::vector<Point<dim>> &middles)
+    /// Append the middles of edges by which a facet must be bisected until none is longer than 1.4 h.
+    void bisect(const std::array<Point<3>, 3> &corners, const MeshSize<3> &h, std::vector<Point<3>> &middles)
     {
-      unsigned int first = 0, second = 0;
-      double longest = 1.5;
-      Point<dim> middle;
-      for (unsigned int a = 0; a <= dim; ++a)
-        for (unsigned int b = 0; b < a; ++b)
+      unsigned int opposite = 3;
+      double longest        = 1.4;
+      Point<3> middle;
+      for (unsigned int v = 0; v < 3; ++v)
+      {
+        const Point<3> &a = corners[(v + 1) % 3], &b = corners[(v + 2) % 3];
+        const Point<3> candidate = a + 0.5 * (b - a);
+        const double length      = a.distance(b) / h(candidate);
+        if (length > longest)
         {
-          const Point<dim> candidate = corners[a] + 0.5 * (corners[b] - corners[a]);
-          const double length        = corners[a].distance(corners[b]) / h(candidate);
-          if (length > longest)
-          {
-            longest = length;
-            first   = a;
-            second  = b;
-            middle  = candidate;
-          }
+          longest  = length;
+          opposite = v;
+          middle   = candidate;
         }
-      if (first == second)
+      }
+      if (opposite == 3)
         return;
       middles.push_back(middle);
-      for (const unsigned int replaced : {first, second})
+      bisect({{corners[opposite], corners[(opposite + 1) % 3], middle}}, h, middles);
+      bisect({{corners[opposite], middle, corners[(opposite + 2) % 3]}}, h, middles);
+    }
+
+    /// Append the beginnings of pieces of a polyline that have nearly equal integrals ∫ ds/h.
+    void append_pieces(const std::vector<Point<2>> &line, const MeshSize<2> &h, std::vector<Point<2>> &points)
+    {
+      std::vector<Point<2>> places(1, line[0]);
+      std::vector<double> integral(1, 0.);
+      for (unsigned int i = 1; i < line.size(); ++i)
       {
-        SimplexCorners<dim> half = corners;
-        half[replaced]           = middle;
-        bisect<dim>(half, h, middles);
+        const double length  = line[i].distance(line[i - 1]);
+        const unsigned int n = std::ceil(length / (0.05 * std::min(h(line[i]), h(line[i - 1]))));
+        for (unsigned int k = 1; k <= n; ++k)
+        {
+          const Point<2> middle = line[i - 1] + (k - 0.5) / n * (line[i] - line[i - 1]);
+          places.push_back(line[i - 1] + double(k) / n * (line[i] - line[i - 1]));
+          integral.push_back(integral.back() + length / n / h(middle));
+        }
       }
+      const unsigned int n = std::max(1., std::round(integral.back()));
+      for (unsigned int k = 0, i = 0; k < n; ++k)
+      {
+        const double wanted = double(k) / n * integral.back();
+        while (integral[i + 1] <= wanted)
+          ++i;
+        points.push_back(places[i] + (wanted - integral[i]) / (integral[i + 1] - integral[i]) *
+                                       (places[i + 1] - places[i]));
+      }
+    }
+  } // namespace
+
+
+
+  template <>
+  std::vector<Point<2>> MeshBody<2>::divided_contour(const MeshSize<2> &h) const
+  {
+    std::multimap<unsigned int, unsigned int> next;
+    for (const auto &[a, b] : facet_nodes)
+      next.emplace(a, b);
+    std::vector<Point<2>> points;
+    while (!next.empty())
+    {
+      std::vector<Point<2>> chain;
+      for (auto edge = next.begin(); edge != next.end();)
+      {
+        const Point<2> &to = nodes[edge->second];
+        chain.push_back(nodes[edge->first]);
+        next.erase(edge);
+        edge = std::find_if(next.begin(), next.end(), [&](const auto &candidate) {
+          return nodes[candidate.first].distance(to) < 1e-9 * longest_edge;
+        });
+      }
+      // From corner to corner.
+      const auto is_corner = [this](const Point<2> &p) { return n_normals_at(p) == 2; };
+      std::rotate(chain.begin(), std::find_if(chain.begin(), chain.end(), is_corner), chain.end());
+      chain.push_back(chain[0]);
+      std::vector<Point<2>> line(1, chain[0]);
+      for (unsigned int i = 1; i < chain.size(); ++i)
+      {
+        line.push_back(chain[i]);
+        if (i + 1 == chain.size() || is_corner(chain[i]))
+        {
+          append_pieces(line, h, points);
+          line.assign(1, chain[i]);
+        }
+      }
+    }
+    return points;
+  }
+
+
+
+  template <>
+  std::vector<Point<3>> MeshBody<3>::divided_contour(const MeshSize<3> &h) const
+  {
+    std::vector<Point<3>> points;
+    for (const WallFacet<3> &facet : facets.facets())
+    {
+      points.insert(points.end(), facet.corners.begin(), facet.corners.end());
+      bisect(facet.corners, h, points);
+    }
+    return points;
+  }
+
+
+
+  namespace
+  {
+    std::vector<Point<2>> fill_inside(const MeshBody<2> &body, const std::vector<Point<2>> &contour,
+                                      const MeshSize<2> &h)
+    {
+      return fill_contour(
+        contour, [&](const Point<2> &p) { return -body.signed_distance(p); }, h, h.levels());
     }
   } // namespace
 
@@ -187,21 +313,16 @@ namespace Lahar
   template <int dim>
   std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &h) const
   {
-    std::vector<Point<dim>> points = nodes;
-    for (const Simplex<dim> &cell : cells)
-      bisect<dim>(corners_of<dim>(cell, nodes), h, points);
-
     std::vector<std::vector<Point<dim>>> by_rank(dim + 1);
-    for (const Point<dim> &p : points)
+    for (const Point<dim> &p : divided_contour(h))
       by_rank[n_normals_at(p)].push_back(p);
-    std::vector<Point<dim>> result;
+    std::vector<Point<dim>> contour;
     PointSet<dim> places;
-    for (unsigned int rank = dim + 1; rank-- > 0;)
+    for (unsigned int rank = dim + 1; rank-- > 1;)
       for (const Point<dim> &p : by_rank[rank])
-        if ((rank > 0 || signed_distance(p) < -0.5 * h(p)) &&
-            places.insert_if_free(p, (rank == dim ? 0.1 : 0.6) * h(p)))
-          result.push_back(p);
-    return result;
+        if (places.insert_if_free(p, (rank == dim ? 0.1 : dim == 2 ? 0.5 : 0.7) * h(p)))
+          contour.push_back(p);
+    return fill_inside(*this, contour, h);
   }
 
 

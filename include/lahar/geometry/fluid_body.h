@@ -54,12 +54,6 @@ namespace Lahar
     /// Particles of the body at the distance @p h, on its contour too.
     virtual std::vector<Point<dim>> fill(const MeshSize<dim> &h) const = 0;
 
-    /// Points of fill() nearer than this times h to a wall's particle in the body give way to it.
-    virtual double clearance() const
-    {
-      return 0.3;
-    }
-
     /// The facets of a contour that is made of many small ones.
     virtual std::vector<std::array<Point<dim>, dim>> contour() const
     {

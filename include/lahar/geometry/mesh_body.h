@@ -10,12 +10,13 @@
 namespace Lahar
 {
   /**
-   * The simplices of a physical group of a mesh file. Its contour consists of the faces with one simplex, so two parts
-   * that do not share their nodes have one each.
+   * The simplices of physical groups of a mesh file. Its contour consists of the faces that have simplices on one side only,
+   * whether parts share their nodes or not.
    *
-   * Its particles are the nodes, and where these are not at the distance h, the simplices are bisected until no edge is
-   * longer than 1.5 h, and nodes within 0.6 h of others (0.5 h of the contour) are left out, first those inside, then
-   * those on even parts of the contour and on its ridges; corners stay.
+   * It is a shape, no cloud of particles. In the plane the contour is divided from corner to corner (normals more than 20°
+   * apart) into pieces of about h. In space its facets with edges longer than 1.4 h are bisected, and of all corners those
+   * 0.7 h from others are taken: the shape's corners always, then those on ridges, then the others. The inside is filled
+   * as other bodies are.
    */
   template <int dim>
   class MeshBody : public FluidBody<dim>
@@ -28,18 +29,11 @@ namespace Lahar
     Box<dim> box() const override;
     double volume() const override;
 
-    /// Far from the contour at least the length of its longest edge.
     double signed_distance(const Point<dim> &point) const override;
 
     double roughness() const override;
     double estimate_size(const double h) const override;
     std::vector<Point<dim>> fill(const MeshSize<dim> &h) const override;
-    /// That of its own points.
-    double clearance() const override
-    {
-      return 0.6;
-    }
-
     std::vector<std::array<Point<dim>, dim>> contour() const override;
 
   private:
@@ -49,14 +43,19 @@ namespace Lahar
     /// corner in the plane), 3 in a corner.
     unsigned int n_normals_at(const Point<dim> &point) const;
 
+    /// Points on the contour h apart or less.
+    std::vector<Point<dim>> divided_contour(const MeshSize<dim> &h) const;
+
     std::vector<Point<dim>> nodes;
     std::vector<Simplex<dim>> cells; ///< positively oriented
     Walls<dim> facets;               ///< the contour
-    double longest_edge = 0.;        ///< of the contour
-    double mean_edge    = 0.;        ///< of all simplices
+    std::vector<std::array<unsigned int, dim>>
+      facet_nodes;            ///< of the contour; in the plane with the fluid on the left
+    double longest_edge = 0.; ///< of the contour
+    double mean_edge    = 0.; ///< of all simplices
 
-    using CellBox = std::pair<BoundingBox<dim>, unsigned int>;
-    RTree<CellBox> tree; ///< of the cells
+    using NumberedBox = std::pair<BoundingBox<dim>, unsigned int>;
+    RTree<NumberedBox> tree, facet_tree; ///< of the cells and of the contour
   };
 } // namespace Lahar
 
