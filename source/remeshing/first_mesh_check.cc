@@ -105,36 +105,54 @@ namespace Lahar
 
 
   template <int dim>
-  std::pair<double, Point<dim>> FirstMeshCheck<dim>::thinnest(const double most) const
+  std::pair<double, Point<dim>> FirstMeshCheck<dim>::thinnest(const Walls<dim> &obstacles,
+                                                              const double most) const
   {
+    // In a hollow edge of walls the mesh has faces between their particles that lie on none.
     std::vector<WallFacet<dim>> facets;
+    std::vector<BoundaryFace> faces;
     for (const BoundaryFace &face : mesh.boundary_faces())
     {
       WallFacet<dim> facet;
+      Point<dim> middle;
+      double spacing = 0.;
+      bool has_fluid = false;
       for (unsigned int c = 0, n = 0; c <= dim; ++c)
         if (c != face.opposite)
-          facet.corners[n++] = cloud.position[mesh.particle_cells()[face.cell][c]];
-      facets.push_back(facet);
+        {
+          const unsigned int i = mesh.particle_cells()[face.cell][c];
+          facet.corners[n++]   = cloud.position[i];
+          middle += cloud.position[i] / double(dim);
+          spacing   = std::max(spacing, cloud.spacing[i]);
+          has_fluid = has_fluid || cloud.kind[i] == ParticleKind::fluid;
+        }
+      const auto near = obstacles.near(middle, on_facet * spacing);
+      if (has_fluid || std::any_of(near.begin(), near.end(), [&](const unsigned int f) {
+            return std::abs(obstacles.signed_distance(f, middle)) < on_facet * spacing;
+          }))
+      {
+        facets.push_back(facet);
+        faces.push_back(face);
+      }
     }
     const Walls<dim> boundary(facets);
     double thinnest = most;
     Point<dim> place;
-    for (unsigned int f = 0; f < facets.size(); ++f)
+    for (unsigned int f = 0; f < faces.size(); ++f)
     {
-      const BoundaryFace &face = mesh.boundary_faces()[f];
-      const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
+      const Simplex<dim> &cell = mesh.particle_cells()[faces[f].cell];
       if (!cloud.is_own(cell))
         continue;
       double spacing = 0.;
       Point<dim> middle;
       for (unsigned int c = 0; c <= dim; ++c)
-        if (c != face.opposite)
+        if (c != faces[f].opposite)
         {
           spacing += cloud.spacing[cell[c]] / dim;
           middle += cloud.position[cell[c]] / double(dim);
         }
       Tensor<1, dim> inward = boundary.normal(f);
-      if (boundary.signed_distance(f, cloud.position[cell[face.opposite]]) < 0.)
+      if (boundary.signed_distance(f, cloud.position[cell[faces[f].opposite]]) < 0.)
         inward *= -1.;
       const Point<dim> start = middle + 1e-3 * spacing * inward;
       for (const unsigned int other : boundary.crossed(start, middle + thinnest * spacing * inward, 0., 0.))

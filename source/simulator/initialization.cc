@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -79,6 +80,7 @@ namespace Lahar
       warn(text);
     }
 
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
     const FirstMeshCheck<dim> check(particles, fluid_mesh, migration);
     if (const auto shared = check.between_two_sides(walls); shared.n > 0.)
     {
@@ -98,14 +100,35 @@ namespace Lahar
            "body, and their pressure is known up to a constant only.";
       warn(text);
     }
-    if (const auto [ratio, place] = check.thinnest(thin); ratio < thin * (1. - 1e-6))
+    if (const auto [ratio, place] = check.thinnest(obstacles(contour), thin); ratio < thin * (1. - 1e-6))
     {
       std::ostringstream text;
       text << "the fluid is " << ratio << " mesh sizes thick at (" << place << ") m, fewer than " << thin
            << " cells across.";
       warn(text);
     }
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    // Quadratic elements bend right with one across (doc/theory.md).
+    if (!solids.empty() && solids.mesh().nodes_per_cell() == dim + 1)
+    {
+      const std::vector<WallFacet<dim>> &facets = contour.wall_facets();
+      double size = std::numeric_limits<double>::max(); // of the elements across, no more than on the contour
+      std::vector<std::string> owners;
+      for (const WallFacet<dim> &facet : facets)
+      {
+        size = std::min(size, facet.corners[0].distance(facet.corners[1]));
+        owners.push_back(std::to_string(owners.size()));
+      }
+      if (const auto part = NarrowGap<dim>::find(
+            facets, owners, [&](const Point<dim> &p) { return !contour.is_inside(p); }, size, thin))
+      {
+        std::ostringstream text;
+        text
+          << "a solid is " << part->width << " m, " << part->ratio << " elements, thick at (" << part->place
+          << ") m, fewer than " << thin
+          << " across: with 'Solids/Degree' 1 it is too stiff in bending. Allowed: 2, or smaller elements.";
+        warn(text);
+      }
+    }
     if (const auto gap = geometry.narrow_gap(mesh_size, contour, thin))
     {
       std::ostringstream text;
@@ -164,7 +187,10 @@ namespace Lahar
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();
     constexpr double thick = 10.;
-    if (const double ratio = FirstMeshCheck<dim>(particles, fluid_mesh, migration).thinnest(thick).first;
+    if (const double ratio = FirstMeshCheck<dim>(particles, fluid_mesh, migration)
+                               .thinnest(obstacles(SolidContour<dim>(solids.mesh().contour(), particles)),
+                                         thick)
+                               .first;
         n_fluid_cells > 0)
     {
       text << "\nThinnest part    ";

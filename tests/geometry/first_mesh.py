@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Test the first mesh by whole runs: fluid of a mesh file rests between walls of any spacing and in a shell, pools beside
-a thin partition rest, bodies have the volume that was asked for, warnings tell of what the mesh cannot show, and a solid
+"""Test the first mesh by whole runs: fluid of a mesh file rests between walls of any spacing and in a shell, pools
+beside a thin partition rest, bodies have the volume that was asked for, warnings tell of what the mesh cannot show, and a solid
 that meets a wall or a solid ends the run.
 
 Usage: first_mesh.py LAHAR
@@ -255,10 +255,27 @@ end
     text = output("film", "0, 0 : 0.4, 0.05", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3")
     check("a thin film is reported", "the fluid is 2.5 mesh sizes thick" in text, text)
     check("  and in the line of --check", "Thinnest part    2.5 mesh sizes" in text, text)
-    text = output("gap", "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3; 0.3, 0.3 : 0.3, 0.03 : 0.35, 0.03 : 0.35, 0.3")
+    text = output("gap", "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3; "
+                  "0.3, 0.3 : 0.3, 0.03 : 0.35, 0.03 : 0.35, 0.3")
     check("a narrow gap is reported", "the gap between wall number" in text and "0.03 m, 1.5 mesh sizes" in text, text)
     text = output("full", "0, 0 : 0.2, 0.2", "0, 0 : 0.2, 0; 0.2, 0 : 0.2, 0.2; 0.2, 0.2 : 0, 0.2; 0, 0.2 : 0, 0")
     check("fluid without a free surface is reported", "no free surface" in text, text)
+    barrier = """subsection Solids
+  set Number of solids = 1
+  set Degree           = %d
+  subsection Solid 1
+    set Box      = 0.3, 0 : 0.31, 0.1
+    set Elements = %d, 20
+    set Clamped  = 0.3, 0 : 0.31, 0
+  end
+end
+"""
+    for degree, elements, reported in ((1, 2, True), (1, 4, False), (2, 1, False)):
+        directory = new_case(parent, "barrier_%d_%d" % (degree, elements), base % (
+            "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3") + barrier % (degree, elements))
+        result = run(directory, "--check")
+        check("a barrier of %d elements of degree %d across" % (elements, degree), result.returncode == 0
+              and ("a solid is 0.01 m" in result.stdout) == reported, result.stdout, result.stderr)
     text = output("round", "0, 0 : 0.2, 0.2", "0, 0 : 0.3, 0", "--set", "Geometry/Fluid boxes=", "--set",
                   "Geometry/Fluid polygons=0, 0 : 0.02, 0 : 0.021, 0.2 : 0.02, 0.021 : 0.019, 0.2 : 0, 0.02")
     volumes = re.search(r"the first mesh has (\S+) m\^2 of fluid, and (\S+) m\^2", text)
@@ -295,11 +312,13 @@ end
 """
     block = body % (1, "-0.05, 0.1 : 0.05, 0.2", "0", "")
     for kind in ("No-slip walls", "Slip walls"):
-        for name, wall in (("floor", "-0.5, 0 : 0.5, 0"), ("post", "0.001, -1 : 0.001, 0.01"), ("slope", "-0.5, -0.2 : 0.5, 0.1")):
-            directory = new_case(parent, "block_" + kind[:4].strip() + name, base % ("0.4", "-9.81", kind, wall, 1, block))
+        for name, wall in (("floor", "-0.5, 0 : 0.5, 0"), ("post", "0.001, -1 : 0.001, 0.01"),
+                           ("slope", "-0.5, -0.2 : 0.5, 0.1")):
+            directory = new_case(parent, "block_" + kind[:4].strip() + name,
+                                 base % ("0.4", "-9.81", kind, wall, 1, block))
             result = run(directory)
-            found = re.search(r"Time (\S+) s: Solid 1 has run into wall number 1 of 'Geometry/%s' at \((\S+) (\S+)\) m" % kind,
-                              result.stderr)
+            found = re.search(r"Time (\S+) s: Solid 1 has run into wall number 1 of 'Geometry/%s' at \(\S+ \S+\) m"
+                              % kind, result.stderr)
             check("a block falls on a %s of %s" % (name, kind), result.returncode == 1 and found, result.stderr)
             if found and name != "slope":
                 time = math.sqrt(2 * (0.1 if name == "floor" else 0.09) / 9.81)
@@ -307,11 +326,42 @@ end
     for distance, reached in (("0.2", True), ("0.9", False)):
         two = body % (1, "0, 0 : 0.1, 0.1", "1", "") + \
             body % (2, "%s, 0.02 : %g, 0.12" % (distance, float(distance) + 0.1), "-1", "")
-        directory = new_case(parent, "blocks_" + distance, base % ("0.12", "0", "No-slip walls", "-9, -9 : 9, -9", 2, two))
+        directory = new_case(parent, "blocks_" + distance,
+                             base % ("0.12", "0", "No-slip walls", "-9, -9 : 9, -9", 2, two))
         result = run(directory)
         found = re.search(r"Time (\S+) s: Solid [12] has run into Solid [12] at \((\S+) (\S+)\) m", result.stderr)
-        check("blocks %s m apart" % distance, (result.returncode == 1 and found and 0.05 <= float(found[1]) < 0.06) if reached
-              else result.returncode == 0, result.stderr)
+        check("blocks %s m apart" % distance, (result.returncode == 1 and found and 0.05 <= float(found[1]) < 0.06)
+              if reached else result.returncode == 0, result.stderr)
+    for name, walls, height in [
+            ("floor", "-1, -1, 0 : 1, -1, 0 : 1, 1, 0 : -1, 1, 0", 0.1),
+            ("blade", "0.003, -1, -1 : 0.003, 1, -1 : 0.003, 1, 0.02 : 0.003, -1, 0.02", 0.08)]:
+        directory = new_case(parent, "block_in_space_" + name, """
+set Dimension        = 3
+set Output directory = out
+set End time         = 0.2
+set Time step        = 2e-3
+set Mesh size        = 0.02
+set Output interval  = 1
+subsection Geometry
+  set No-slip walls = %s
+end
+subsection Solids
+  set Number of solids = 1
+  subsection Solid 1
+    set Box = -0.04, -0.04, 0.1 : 0.04, 0.04, 0.18
+    subsection hypoelastic
+      set Density         = 1200
+      set Young's modulus = 1e6
+    end
+  end
+end
+""" % walls)
+        result = run(directory)
+        found = re.search(r"Time (\S+) s: Solid 1 has run into wall number 1 of 'Geometry/No-slip walls'",
+                          result.stderr)
+        time = math.sqrt(2 * height / 9.81)
+        check("a block falls on a %s in space" % name, result.returncode == 1 and found
+              and time < float(found[1]) < time + 1e-2, result.stderr, time)
     fixed = body % (1, "0, 0 : 0.02, 0.1", "0.5", "0, 0 : 0.02, 0")
     directory = new_case(parent, "barrier", base % ("0.1", "-9.81", "No-slip walls", "-0.5, 0 : 0.5, 0", 1, fixed))
     result = run(directory)

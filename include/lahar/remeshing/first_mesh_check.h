@@ -35,9 +35,10 @@ namespace Lahar
 
     /**
      * The thinnest part of the fluid between two faces of its boundary that are nearly parallel (within 30°): how many
-     * mesh sizes it is across, at most @p most, and a place on it.
+     * mesh sizes it is across, at most @p most, and a place on it. @p obstacles are the rigid walls and the solids'
+     * contours.
      */
-    std::pair<double, Point<dim>> thinnest(const double most) const;
+    std::pair<double, Point<dim>> thinnest(const Walls<dim> &obstacles, const double most) const;
 
   private:
     const ParticleCloud<dim> &cloud;
