@@ -259,22 +259,28 @@ namespace Lahar
       if (!facet.slip)
         covered.push_back(facet);
     const Walls<dim> covered_facets(covered);
-    // A point in the place of a particle of the body's region is none itself. Corners come first: they hold the shape.
-    const auto add = [&](const FluidBody<dim> &body, const Point<dim> &p, const double clearance) {
+    // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
+    // come near to each other. Corners come first: they hold the shape.
+    std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
+    const auto add = [&](const unsigned int b, const Point<dim> &p, const double clearance) {
+      const FluidBody<dim> &body = *bodies[b];
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
-      for (const unsigned int i : places.near(p, clearance))
-        if (body.signed_distance(cloud.position[i]) <
-            (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
+      for (const unsigned int i : places.near(p, clearance * h(p)))
+        if (body_of[i] == b
+              ? cloud.position[i].distance(p) < contact * h(p)
+              : body.signed_distance(cloud.position[i]) <
+                  (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
           return;
       append(p, ParticleKind::fluid);
+      body_of.push_back(b);
     };
-    for (const auto &body : bodies)
-      for (const Point<dim> &p : body->corners())
-        add(*body, p, contact * h(p));
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (const Point<dim> &p : bodies[b]->corners())
+        add(b, p, contact);
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : fillings[b])
-        add(*bodies[b], p, 0.3 * h(p));
+        add(b, p, 0.3);
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
   }

@@ -59,7 +59,7 @@ namespace Lahar
 
   namespace
   {
-    /// Below this many mesh sizes across, fluid, gaps and solids of linear elements are too thin for what goes on in them.
+    /// Below this many mesh sizes across fluid, gaps and solids of linear elements are too thin.
     constexpr double thin = 3.;
   } // namespace
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test the first mesh by whole runs: fluid of a mesh file rests between walls of any spacing and in a shell, pools
-beside a thin partition rest, bodies have the volume that was asked for, warnings tell of what the mesh cannot show, and a solid
-that meets a wall or a solid ends the run.
+beside a thin partition rest, warnings tell of what the mesh cannot show, and a solid that meets a wall or a solid ends
+the run.
 
 Usage: first_mesh.py LAHAR
 """
