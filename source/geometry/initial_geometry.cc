@@ -127,8 +127,10 @@ namespace Lahar
           check(*bodies[b], p, "wall " + wall.name);
         for (const Point<dim> &p : fillings[b])
           if (wall.encloses(p, tolerance(*bodies[b])))
-            throw InputError("Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " +
-                             to_text(p) + " m. Fluid and walls may touch, not overlap.");
+            throw InputError(
+              "Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " + to_text(p) +
+              " m, whose line is closed and so a rigid body. Allowed: fluid and walls that touch; the "
+              "walls of a tank as an open line, or as two.");
       }
       for (unsigned int other = 0; other < bodies.size(); ++other)
         if (b != other)

@@ -235,7 +235,7 @@ int main(int argc, char **argv)
               {"overlaps wall", "Geometry/No-slip walls", "Geometry/Fluid boxes", "0.5"});
   check_error("fluid inside a closed wall",
               {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "-1, -1 : 2, -1 : 2, 2 : -1, 2 : -1, -1"}},
-              {"overlaps wall"});
+              {"overlaps wall", "closed", "tank", "open line"});
   check_error("wall inside the fluid",
               {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0.4, 0.4 : 0.6, 0.6"}},
               {"overlaps wall", "Geometry/Slip walls"});
