@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/boundary/facet_geometry.h>
 #include <lahar/boundary/solid_contour.h>
 
 #include <cmath>
@@ -48,44 +49,6 @@ namespace Lahar
       return std::atan2(a_b_c, denominator) / (2. * numbers::PI);
     }
 
-    /// The point of a facet nearest to @p point, by shares of its corners.
-    std::array<double, 2> nearest_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point)
-    {
-      const Tensor<1, 2> edge = corners[1] - corners[0];
-      const double share      = std::min(1., std::max(0., edge * (point - corners[0]) / edge.norm_square()));
-      return {{1. - share, share}};
-    }
-
-    std::array<double, 3> nearest_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point)
-    {
-      const Tensor<1, 3> normal = cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
-      std::array<double, 3> shares;
-      bool inside = true;
-      for (unsigned int v = 0; v < 3; ++v)
-      {
-        const Point<3> &b = corners[(v + 1) % 3], &c = corners[(v + 2) % 3];
-        shares[v] = normal * cross_product_3d(c - b, point - b) / normal.norm_square();
-        inside    = inside && shares[v] >= 0.;
-      }
-      if (inside)
-        return shares;
-      double nearest = std::numeric_limits<double>::max();
-      for (unsigned int v = 0; v < 3; ++v)
-      {
-        const Point<3> &a = corners[v], &b = corners[(v + 1) % 3];
-        const double along  = std::min(1., std::max(0., (b - a) * (point - a) / (b - a).norm_square()));
-        const double square = (a + along * (b - a)).distance_square(point);
-        if (square < nearest)
-        {
-          nearest             = square;
-          shares              = {};
-          shares[v]           = 1. - along;
-          shares[(v + 1) % 3] = along;
-        }
-      }
-      return shares;
-    }
-
     template <typename Values, std::size_t n>
     auto mean(const Values &values, const std::array<unsigned int, n> &facet,
               const std::array<double, n> &shares)
@@ -94,15 +57,6 @@ namespace Lahar
       for (unsigned int v = 1; v < n; ++v)
         sum += shares[v] * values[facet[v]];
       return sum;
-    }
-
-    template <int dim>
-    Point<dim> point_of(const std::array<Point<dim>, dim> &corners, const std::array<double, dim> &shares)
-    {
-      Point<dim> result;
-      for (unsigned int v = 0; v < dim; ++v)
-        result += shares[v] * Tensor<1, dim>(corners[v]);
-      return result;
     }
   } // namespace
 
@@ -144,7 +98,7 @@ namespace Lahar
     for (unsigned int f = 0; f < particles.size(); ++f)
     {
       const auto &corners = shapes.facets()[f].corners;
-      const double square = point_of<dim>(corners, nearest_shares(corners, point)).distance_square(point);
+      const double square = nearest_point<dim>(corners, point).distance_square(point);
       if (square < smallest_square)
       {
         smallest_square = square;
@@ -207,7 +161,7 @@ namespace Lahar
         std::array<Point<dim>, dim> corners;
         for (unsigned int v = 0; v < dim; ++v)
           corners[v] = on_path(particles[f][v]);
-        const Point<dim> nearest = point_of<dim>(corners, nearest_shares(corners, meeting));
+        const Point<dim> nearest = nearest_point<dim>(corners, meeting);
         if (meeting.distance(nearest) < meeting_tolerance * cloud.spacing[i])
         {
           put_before(f, i, cloud);

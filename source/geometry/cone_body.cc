@@ -47,6 +47,14 @@ namespace Lahar
 
 
 
+  double ConeBody::volume() const
+  {
+    return numbers::PI / 3. * height *
+           (base_radius * base_radius + base_radius * top_radius + top_radius * top_radius);
+  }
+
+
+
   double ConeBody::signed_distance(const Point<3> &point) const
   {
     const Tensor<1, 3> x = point - base;

@@ -100,6 +100,17 @@ namespace Lahar
 
 
 
+  double ConvexBody::volume() const
+  {
+    double sum = 0.;
+    for (const PlanePolygon &face : faces)
+      for (const auto &[a, b, c] : face.triangles())
+        sum += cross_product_3d(b - a, c - a) * (a - points[0]) / 6.;
+    return sum;
+  }
+
+
+
   double ConvexBody::signed_distance(const Point<3> &point) const
   {
     double distance = -std::numeric_limits<double>::max();

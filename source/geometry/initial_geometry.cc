@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/boundary/facet_geometry.h>
 #include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/point_set.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -18,6 +20,10 @@ namespace Lahar
       return text.str();
     }
 
+    /// What lies nearer to a wall or to a solid than this times h at the start is in contact with it: the fluid reaches
+    /// to it.
+    constexpr double contact = 0.1;
+
     template <int dim>
     bool is_near(const Walls<dim> &walls, const Point<dim> &point, const double distance)
     {
@@ -25,6 +31,24 @@ namespace Lahar
         if (std::abs(walls.signed_distance(f, point)) < distance && walls.is_above(f, point, distance))
           return true;
       return false;
+    }
+
+    /// The point of the walls nearest to @p point, of which some are nearer than @p distance or just beyond.
+    template <int dim>
+    Point<dim> nearest_point_of(const Walls<dim> &walls, const Point<dim> &point, const double distance)
+    {
+      Point<dim> nearest;
+      double smallest = std::numeric_limits<double>::max();
+      for (const unsigned int f : walls.near(point, 2. * distance))
+      {
+        const Point<dim> candidate = nearest_point<dim>(walls.facets()[f].corners, point);
+        if (candidate.distance(point) < smallest)
+        {
+          smallest = candidate.distance(point);
+          nearest  = candidate;
+        }
+      }
+      return nearest;
     }
   } // namespace
 
@@ -88,11 +112,11 @@ namespace Lahar
   template <int dim>
   void InitialGeometry<dim>::check_overlaps(const Fillings &fillings, const double h) const
   {
-    const double tolerance = touching * h;
-    const auto check       = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
-      if (body.signed_distance(p) < -tolerance)
+    const auto tolerance = [h](const FluidBody<dim> &body) { return touching * h + body.roughness(); };
+    const auto check     = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
+      if (body.signed_distance(p) < -tolerance(body))
         throw InputError("Fluid body " + body.name() + " overlaps " + name + " at " + to_text(p) +
-                               " m. Fluid and walls may touch, not overlap.");
+                             " m. Fluid and walls may touch, not overlap.");
     };
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -104,9 +128,11 @@ namespace Lahar
         if (wall.holds(fillings[b], touching * h))
           continue;
         for (const Point<dim> &p : fillings[b])
-          if (wall.encloses(p, tolerance))
-            throw InputError("Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " +
-                             to_text(p) + " m. Fluid and walls may touch, not overlap.");
+          if (wall.encloses(p, tolerance(*bodies[b])))
+            throw InputError(
+              "Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " + to_text(p) +
+              " m, whose line is closed and so a rigid body. Allowed: fluid and walls that touch; fluid that "
+              "lies wholly inside a closed line, as in a tank.");
       }
       for (unsigned int other = 0; other < bodies.size(); ++other)
         if (b != other)
@@ -130,19 +156,20 @@ namespace Lahar
         throw InputError(what + " overlaps a solid at " + to_text(p) +
                          " m. Fluid, walls and solids may touch, not overlap.");
     };
-    const auto is_deep_inside = [&](const Point<dim> &p) {
-      return solids.is_inside(p) && !is_near(facets, p, tolerance);
+    const auto is_deep_inside = [&](const Point<dim> &p, const double depth) {
+      return solids.is_inside(p) && !is_near(facets, p, depth);
     };
     for (const WallShape<dim> &wall : wall_shapes)
       for (const Point<dim> &p : wall.samples(h))
-        check("Wall " + wall.name, p, is_deep_inside(p));
+        check("Wall " + wall.name, p, is_deep_inside(p, tolerance));
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
+      const double depth = tolerance + bodies[b]->roughness();
       for (const Point<dim> &p : fillings[b])
-        check("Fluid body " + bodies[b]->name(), p, is_deep_inside(p));
+        check("Fluid body " + bodies[b]->name(), p, is_deep_inside(p, depth));
       for (const WallFacet<dim> &facet : solids.wall_facets())
         check("Fluid body " + bodies[b]->name(), facet.corners[0],
-              bodies[b]->signed_distance(facet.corners[0]) < -tolerance);
+              bodies[b]->signed_distance(facet.corners[0]) < -depth);
     }
   }
 
@@ -151,35 +178,65 @@ namespace Lahar
   template <int dim>
   std::vector<Point<dim>> InitialGeometry<dim>::contacts(const WallShape<dim> &wall, const Fillings &fillings,
                                                          const SolidContour<dim> &solids,
-                                                         const double h) const
+                                                         const MeshSize<dim> &h) const
   {
     const Walls<dim> facets(wall.facets());
     std::vector<Point<dim>> result;
-    const auto add = [&](const std::vector<Point<dim>> &points) {
-      for (const Point<dim> &p : points)
-        if (is_near(facets, p, touching * h))
-          result.push_back(p);
+    // Of a row of facets along a wall in the plane, the ends; the wall divides what is between them.
+    const auto add_ends = [&](const std::vector<std::array<Point<dim>, dim>> &row, const auto &distance) {
+      std::vector<Point<dim>> in_row;
+      for (const auto &corners : row)
+        if (std::all_of(corners.begin(), corners.end(),
+                        [&](const Point<dim> &p) { return is_near(facets, p, distance(p)); }))
+          in_row.insert(in_row.end(), corners.begin(), corners.end());
+      for (const Point<dim> &p : in_row)
+        if (dim == 3 || std::count(in_row.begin(), in_row.end(), p) == 1)
+          result.push_back(nearest_point_of(facets, p, distance(p)));
     };
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      add(dim == 2 ? bodies[b]->corners() : fillings[b]);
-
-    std::vector<Point<dim>> of_solids;
+    {
+      const auto distance = [&](const Point<dim> &p) { return contact * h(p) + bodies[b]->roughness(); };
+      for (const Point<dim> &p : dim == 2 ? bodies[b]->corners() : fillings[b])
+        if (is_near(facets, p, distance(p)))
+          result.push_back(nearest_point_of(facets, p, distance(p)));
+      if (dim == 2)
+        add_ends(bodies[b]->contour(), distance);
+    }
+    std::vector<std::array<Point<dim>, dim>> of_solids;
     for (const WallFacet<dim> &facet : solids.wall_facets())
-      if (std::all_of(facet.corners.begin(), facet.corners.end(),
-                      [&](const Point<dim> &p) { return is_near(facets, p, touching * h); }))
-        of_solids.insert(of_solids.end(), facet.corners.begin(), facet.corners.end());
-    // In the plane, facets in a row along the wall share nodes: the ends of the row are in one only.
-    for (const Point<dim> &p : of_solids)
-      if (dim == 3 || std::count(of_solids.begin(), of_solids.end(), p) == 1)
-        result.push_back(p);
+      of_solids.push_back(facet.corners);
+    add_ends(of_solids, [&](const Point<dim> &p) { return touching * h(p); });
     return result;
   }
 
 
 
   template <int dim>
-  std::vector<bool> InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
-                                                 ParticleCloud<dim> &cloud, Walls<dim> &walls) const
+  std::vector<Point<dim>> InitialGeometry<dim>::create_walls(const MeshSize<dim> &h, const Fillings &fillings,
+                                                             const SolidContour<dim> &solids,
+                                                             Walls<dim> &walls) const
+  {
+    const Walls<dim> solid_facets(solids.wall_facets());
+    std::vector<WallFacet<dim>> facets;
+    std::vector<Point<dim>> points;
+    for (const WallShape<dim> &wall : wall_shapes)
+    {
+      for (const WallFacet<dim> &facet : wall.facets())
+        facets.push_back(facet);
+      if (!wall.slip)
+        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h), h))
+          if (!is_near(solid_facets, p, contact * h(p)))
+            points.push_back(p);
+    }
+    walls = Walls<dim>(facets);
+    return points;
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
+                                    ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
     check_mesh_scale(h.coarsest());
     check_body_sizes(h.coarsest());
@@ -190,51 +247,114 @@ namespace Lahar
     check_overlaps(fillings, h.coarsest());
     check_solids(fillings, solids, h.coarsest());
 
-    const Walls<dim> solid_facets(solids.wall_facets());
-    std::vector<WallFacet<dim>> facets;
-    std::vector<Point<dim>> wall_points;
-    for (const WallShape<dim> &wall : wall_shapes)
-    {
-      for (const WallFacet<dim> &facet : wall.facets())
-        facets.push_back(facet);
-      if (!wall.slip)
-        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h.coarsest()), h))
-          if (!is_near(solid_facets, p, 0.1 * h(p)))
-            wall_points.push_back(p);
-    }
-    walls = Walls<dim>(facets);
-
-    // Two walls may share points, a fluid's contour may run along a wall: the first particle in a place stays, and a
-    // wall particle in the place of a fluid particle is wet.
-    std::vector<bool> wet(cloud.size(), false);
     PointSet<dim> places;
     for (const Point<dim> &p : cloud.position)
       places.insert(p);
-    const auto add = [&](const Point<dim> &p, const ParticleKind kind, const double clearance) {
-      const std::vector<unsigned int> near = places.near(p, clearance);
-      if (kind == ParticleKind::fluid)
-        for (const unsigned int i : near)
-          wet[i] = true;
-      if (!near.empty())
-        return;
+    const auto append = [&](const Point<dim> &p, const ParticleKind kind) {
       cloud.append(p, kind, h(p));
       places.insert(p);
-      wet.push_back(kind == ParticleKind::fluid);
     };
-    for (const Point<dim> &p : wall_points)
-      add(p, ParticleKind::wall, 0.1 * h(p));
+    // Two walls may share points.
+    for (const Point<dim> &p : create_walls(h, fillings, solids, walls))
+      if (places.near(p, contact * h(p)).empty())
+        append(p, ParticleKind::wall);
+
+    std::vector<WallFacet<dim>> covered = solids.wall_facets();
+    for (const WallFacet<dim> &facet : walls.facets())
+      if (!facet.slip)
+        covered.push_back(facet);
+    const Walls<dim> covered_facets(covered);
+    // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
+    // come near to each other. Corners come first: they hold the shape.
+    std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
+    const auto add = [&](const unsigned int b, const Point<dim> &p, const double clearance) {
+      const FluidBody<dim> &body = *bodies[b];
+      if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
+        return;
+      for (const unsigned int i : places.near(p, clearance * h(p)))
+        if (body_of[i] == b
+              ? cloud.position[i].distance(p) < contact * h(p)
+              : body.signed_distance(cloud.position[i]) <
+                  (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
+          return;
+      append(p, ParticleKind::fluid);
+      body_of.push_back(b);
+    };
     for (unsigned int b = 0; b < bodies.size(); ++b)
-    {
-      for (unsigned int i = 0; i < cloud.size(); ++i)
-        if (cloud.kind[i] != ParticleKind::fluid &&
-            std::abs(bodies[b]->signed_distance(cloud.position[i])) < 0.1 * h(cloud.position[i]))
-          wet[i] = true;
+      for (const Point<dim> &p : bodies[b]->corners())
+        add(b, p, contact);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : fillings[b])
-        add(p, ParticleKind::fluid, 0.3 * h(p));
-    }
+        add(b, p, 0.3);
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
-    return wet;
+  }
+
+
+
+  template <int dim>
+  std::string InitialGeometry<dim>::wall_name(unsigned int facet) const
+  {
+    for (const WallShape<dim> &wall : wall_shapes)
+    {
+      const unsigned int n = wall.facets().size();
+      if (facet < n)
+        return wall.name;
+      facet -= n;
+    }
+    Assert(false, ExcInternalError());
+    return "";
+  }
+
+
+
+  template <int dim>
+  std::optional<NarrowGap<dim>> InitialGeometry<dim>::narrow_gap(const MeshSize<dim> &h,
+                                                                 const SolidContour<dim> &solids,
+                                                                 const double most) const
+  {
+    std::vector<WallFacet<dim>> facets;
+    std::vector<std::string> owners;
+    for (const WallShape<dim> &wall : wall_shapes)
+      for (const WallFacet<dim> &facet : wall.facets())
+      {
+        facets.push_back(facet);
+        owners.push_back("wall " + wall.name);
+      }
+    for (const WallFacet<dim> &facet : solids.wall_facets())
+    {
+      facets.push_back(facet);
+      owners.push_back("a solid");
+    }
+    return NarrowGap<dim>::find(
+      facets, owners,
+      [&](const Point<dim> &p) {
+        return solids.is_inside(p) || std::any_of(wall_shapes.begin(), wall_shapes.end(),
+                                                  [&](const auto &wall) { return wall.encloses(p, 0.); });
+      },
+      h, most);
+  }
+
+
+
+  template <int dim>
+  std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)> InitialGeometry<dim>::region() const
+  {
+    double roughness = 0.;
+    for (const auto &body : bodies)
+      roughness = std::max(roughness, body->roughness());
+    return [region = InitialRegion<dim>(bodies), roughness](const Simplex<dim> &simplex,
+                                                            const ParticleCloud<dim> &cloud) {
+      double spacing  = 0.;
+      bool is_contact = false;
+      for (const unsigned int i : simplex)
+      {
+        spacing    = std::max(spacing, cloud.spacing[i]);
+        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid;
+      }
+      return region.holds(corners_of<dim>(simplex, cloud.position),
+                          (is_contact ? contact : touching) * spacing + roughness, 0.02 * spacing);
+    };
   }
 
 

@@ -4,6 +4,7 @@
 #include <lahar/geometry/convex_body.h>
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/mesh_body.h>
 #include <lahar/geometry/point_lists.h>
 #include <lahar/geometry/polygon_body.h>
 
@@ -72,12 +73,11 @@ namespace Lahar
       "Largest number of particles", "10000000", Patterns::Anything(),
       "A case is refused if it asks for more particles than this at the start, 1 to 100000000, as "
       "estimated from the mesh size and the boxes around fluid bodies and walls.");
-    prm.declare_file(
-      "Mesh file",
-      "A gmsh file (.msh) that gives fluid bodies and walls by physical groups; its name is "
-      "relative to the parameter file that gives it (on the command line: to the working "
-      "directory). The fluid's particles are the corners of its elements, so its edges should be "
-      "about as long as 'Mesh size'. Elements of second order count as straight ones.");
+    prm.declare_file("Mesh file",
+                     "A gmsh file (.msh) that gives fluid bodies and walls by physical groups; its name is "
+                     "relative to the parameter file that gives it (on the command line: to the working "
+                     "directory). The mesh gives the shape, 'Mesh size' the distance of particles. "
+                     "Elements of second order count as straight ones.");
     prm.declare_entry("Mesh scale", "1", Patterns::Anything(),
                       "Factor for the mesh file's coordinates, above zero: 1e-3 for a mesh in mm.");
     const std::string list =
@@ -266,9 +266,23 @@ namespace Lahar
 
     mesh_scale = prm.get_positive("Mesh scale");
     const GmshFile<dim> file(file_name, mesh_scale);
+    std::string names;
+    std::vector<Point<dim>> nodes, of_group;
+    std::vector<Simplex<dim>> simplices, cells;
     for (const std::string &group : fluid)
-      bodies.push_back(
-        std::make_unique<MeshBody<dim>>("group '" + group + "' of " + file_name, file.nodes_of(group)));
+    {
+      names += (names.empty() ? "'" : ", '") + group + "'";
+      file.cells_of(group, of_group, cells);
+      for (Simplex<dim> &cell : cells)
+        for (unsigned int &corner : cell)
+          corner += nodes.size();
+      simplices.insert(simplices.end(), cells.begin(), cells.end());
+      nodes.insert(nodes.end(), of_group.begin(), of_group.end());
+    }
+    if (!fluid.empty())
+      bodies.push_back(std::make_unique<MeshBody<dim>>((fluid.size() == 1 ? "group " : "groups ") + names +
+                                                         " of " + file_name,
+                                                       nodes, simplices));
     for (const bool is_slip : {false, true})
       for (const std::string &group : is_slip ? slip : no_slip)
       {

@@ -33,15 +33,15 @@ namespace Lahar
       return result;
     }
 
-    /// The wanted points of a lattice of equilateral triangles inside the polygon, away from its contour.
-    std::vector<Point<2>> lattice_inside(const Polygon &polygon, const double h,
+    /// The wanted points of a lattice of equilateral triangles in the box around the contour.
+    std::vector<Point<2>> lattice_inside(const std::vector<Point<2>> &contour, const double h,
                                          const PointFilter<2> &is_wanted)
     {
       double lower[2], upper[2];
       for (unsigned int d = 0; d < 2; ++d)
       {
-        lower[d] = upper[d] = polygon[0][d];
-        for (const Point<2> &p : polygon)
+        lower[d] = upper[d] = contour[0][d];
+        for (const Point<2> &p : contour)
         {
           lower[d] = std::min(lower[d], p[d]);
           upper[d] = std::max(upper[d], p[d]);
@@ -54,7 +54,7 @@ namespace Lahar
         for (double x = lower[0] + (row % 2 ? 0.5 : 1.) * h; x < upper[0]; x += h)
         {
           const Point<2> p(x, lower[1] + row * row_height);
-          if (is_wanted(p) && is_inside(polygon, p) && distance_to_contour(polygon, p) > 0.55 * h)
+          if (is_wanted(p))
             points.push_back(p);
         }
       return points;
@@ -192,19 +192,30 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
-                                     const std::vector<double> &levels)
+  std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
+                                     const SizeFunction<2> &h, const std::vector<double> &levels)
   {
-    std::vector<Point<2>> points = sample_polyline(polygon, h, true);
-    const unsigned int n_contour = points.size();
+    std::vector<Point<2>> points = contour;
     append_graded_lattice<2>(
       h, levels,
       [&](const double size, const PointFilter<2> &is_wanted) {
-        return lattice_inside(polygon, size, is_wanted);
+        return lattice_inside(contour, size,
+                              [&](const Point<2> &p) { return is_wanted(p) && depth(p) > 0.55 * size; });
       },
       points);
-    smooth(points, n_contour, h, levels.back());
+    smooth(points, contour.size(), h, levels.back());
     return points;
+  }
+
+
+
+  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
+                                     const std::vector<double> &levels)
+  {
+    return fill_contour(
+      sample_polyline(polygon, h, true),
+      [&](const Point<2> &p) { return is_inside(polygon, p) ? distance_to_contour(polygon, p) : -1.; }, h,
+      levels);
   }
 
 

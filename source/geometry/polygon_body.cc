@@ -18,6 +18,13 @@ namespace Lahar
 
 
 
+  double PolygonBody::volume() const
+  {
+    return signed_area(contour);
+  }
+
+
+
   double PolygonBody::signed_distance(const Point<2> &point) const
   {
     const double distance = distance_to_contour(contour, point);

@@ -155,6 +155,17 @@ namespace Lahar
 
 
   template <int dim>
+  bool AlphaShape<dim>::accepts_first(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
+                                      const Walls<dim> &walls) const
+  {
+    const auto corners = corners_of<dim>(simplex, cloud.position);
+    const double h     = mean_spacing<dim>(simplex, cloud);
+    return circumradius<dim>(corners) < alpha_keep * h && !crosses_wall<dim>(corners, h, walls);
+  }
+
+
+
+  template <int dim>
   typename AlphaShape<dim>::Verdict
   AlphaShape<dim>::judge(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                          const Walls<dim> &walls, const OldDomain<dim> &old_domain,

@@ -94,15 +94,13 @@ namespace Lahar
 
   template <int dim>
   void Remesher<dim>::create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                  const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
+                                  const std::vector<Facet> &solid_facets, const Region &region,
                                   const Migration<dim> &migration, FluidMesh<dim> &mesh) const
   {
     unsigned int n_forced;
     std::vector<Simplex<dim>> cells;
     for (const Simplex<dim> &simplex : own_candidates(cloud, solid_facets, migration, n_forced))
-      if (std::all_of(simplex.begin(), simplex.end(),
-                      [&](const unsigned int particle) { return wet[cloud.number[particle]]; }) &&
-          alpha_shape.accepts_plain(simplex, cloud, walls))
+      if (region(simplex, cloud) && alpha_shape.accepts_first(simplex, cloud, walls))
         cells.push_back(simplex);
     mesh.reinit(cloud, cells);
   }

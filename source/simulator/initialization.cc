@@ -3,10 +3,13 @@
 #include <deal.II/base/function_parser.h>
 
 #include <lahar/boundary/open_floor.h>
+#include <lahar/remeshing/first_mesh_check.h>
+#include <lahar/simulator/cost_estimate.h>
 #include <lahar/simulator/simulator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -17,7 +20,7 @@ namespace Lahar
     warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
     solids.append_particles(mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const std::vector<bool> wet = geometry.create(mesh_size, contour, particles, walls);
+    geometry.create(mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
@@ -35,7 +38,8 @@ namespace Lahar
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     try
     {
-      remesher.create_mesh(particles, obstacles(contour), contour.facets(), wet, migration, fluid_mesh);
+      remesher.create_mesh(particles, obstacles(contour), contour.facets(), geometry.region(), migration,
+                           fluid_mesh);
     }
     catch (const RunError &error)
     {
@@ -50,6 +54,91 @@ namespace Lahar
     time = parameters.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     initial_volume = volume = fluid_volume();
+    warn_of_coarse_mesh();
+  }
+
+
+
+  namespace
+  {
+    /// Below this many mesh sizes across fluid, gaps and solids of linear elements are too thin.
+    constexpr double thin = 3.;
+  } // namespace
+
+
+
+  template <int dim>
+  void Simulator<dim>::warn_of_coarse_mesh()
+  {
+    const std::string unit = dim == 2 ? " m^2" : " m^3";
+    const auto warn = [&](const std::ostringstream &text) { warnings.push_back("Warning: " + text.str()); };
+    const double asked = geometry.fluid_volume(), difference = initial_volume - asked;
+    if (std::abs(difference) > 0.01 * asked)
+    {
+      std::ostringstream text;
+      text << "the first mesh has " << initial_volume << unit << " of fluid, and " << asked << unit
+           << " are asked for (" << std::showpos << 100. * difference / asked
+           << " %): 'Mesh size' is too coarse for the shape.";
+      warn(text);
+    }
+
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    const FirstMeshCheck<dim> check(particles, fluid_mesh, migration);
+    if (const auto shared = check.between_two_sides(walls); shared.n > 0.)
+    {
+      std::ostringstream text;
+      text
+        << "fluid stands on both sides of a wall that is too thin for the mesh to part them, at " << shared.n
+        << " particles, one at (" << shared.place
+        << ") m: pressure and flow pass through it. Allowed: a wall with two sides, at least 0.2 mesh sizes apart.";
+      warn(text);
+    }
+    if (const auto enclosed = check.enclosed(); enclosed.n > 0.)
+    {
+      std::ostringstream text;
+      text
+        << enclosed.n << " fluid particles, one at (" << enclosed.place
+        << ") m, have no free surface: rigid walls close them in on all sides, as in a full tank or inside a rigid "
+           "body, and their pressure is known up to a constant only.";
+      warn(text);
+    }
+    if (const auto [ratio, place] = check.thinnest(obstacles(contour), thin); ratio < thin * (1. - 1e-6))
+    {
+      std::ostringstream text;
+      text << "the fluid is " << ratio << " mesh sizes thick at (" << place << ") m, fewer than " << thin
+           << " cells across.";
+      warn(text);
+    }
+    // Quadratic elements bend right with one across (doc/theory.md).
+    if (!solids.empty() && solids.mesh().nodes_per_cell() == dim + 1)
+    {
+      const std::vector<WallFacet<dim>> &facets = contour.wall_facets();
+      double size = std::numeric_limits<double>::max(); // of the elements across, no more than on the contour
+      std::vector<std::string> owners;
+      for (const WallFacet<dim> &facet : facets)
+      {
+        size = std::min(size, facet.corners[0].distance(facet.corners[1]));
+        owners.push_back(std::to_string(owners.size()));
+      }
+      if (const auto part = NarrowGap<dim>::find(
+            facets, owners, [&](const Point<dim> &p) { return !contour.is_inside(p); }, size, thin))
+      {
+        std::ostringstream text;
+        text
+          << "a solid is " << part->width << " m, " << part->ratio << " elements, thick at (" << part->place
+          << ") m, fewer than " << thin
+          << " across: with 'Solids/Degree' 1 it is too stiff in bending. Allowed: 2, or smaller elements.";
+        warn(text);
+      }
+    }
+    if (const auto gap = geometry.narrow_gap(mesh_size, contour, thin))
+    {
+      std::ostringstream text;
+      text << "the gap between " << gap->owner << " and " << gap->other_owner << " is " << gap->width
+           << " m, " << gap->ratio << " mesh sizes, wide at (" << gap->place << ") m, fewer than " << thin
+           << " cells across: if fluid is to flow through it, it does not do so as it should.";
+      warn(text);
+    }
   }
 
 
@@ -91,14 +180,28 @@ namespace Lahar
     const unsigned int n_vertices = count_on_ranks(
       std::count_if(vertices.begin(), vertices.end(),
                     [&](const unsigned int i) { return particles.is_own(i); }));
+    const unsigned int n_fluid_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
     text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
          << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
-         << "\nFluid cells      " << count_on_ranks(fluid_mesh.own_cells(particles).size())
-         << "\nUnknowns         " << (dim + 1) * n_vertices << "\nFluid volume     " << initial_volume
-         << (dim == 2 ? " m^2" : " m^3");
+         << "\nFluid cells      " << n_fluid_cells << "\nUnknowns         " << (dim + 1) * n_vertices
+         << "\nFluid volume     " << initial_volume << (dim == 2 ? " m^2" : " m^3");
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();
+    constexpr double thick = 10.;
+    if (const double ratio = FirstMeshCheck<dim>(particles, fluid_mesh, migration)
+                               .thinnest(obstacles(SolidContour<dim>(solids.mesh().contour(), particles)),
+                                         thick)
+                               .first;
+        n_fluid_cells > 0)
+    {
+      text << "\nThinnest part    ";
+      if (ratio < thick)
+        text << ratio << " mesh sizes across";
+      else
+        text << thick << " mesh sizes across or more";
+    }
+    text << '\n' << estimate_cost(dim, n_fluid_cells + solids.mesh().n_cells(), prm);
     for (const std::string &warning : warnings)
       text << '\n' << warning;
     return text.str();

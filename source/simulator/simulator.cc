@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
+#include <lahar/boundary/solid_collision.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
@@ -202,11 +203,13 @@ namespace Lahar
       }
     step_control->accept(report.iterations);
 
+    const std::vector<Point<dim>> old_position = solids.state().position;
     move_particles(time_step);
     time += time_step;
     ++step_number;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
+    stop_at_collision(old_position);
   }
 
 
@@ -312,6 +315,28 @@ namespace Lahar
       forces[fluid_mesh.particle(v)] = reactions[v];
     for (unsigned int i = 0; i < particles.size(); ++i)
       particles.reaction[i] = time_integration.mean_force(forces[i], particles.reaction[i]);
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::stop_at_collision(const std::vector<Point<dim>> &old_position)
+  {
+    const auto place = SolidCollision<dim>::find(solids.mesh(), old_position, solids.state().position, walls);
+    if (!place)
+      return;
+    write_snapshot();
+    write_checkpoint();
+    std::ostringstream message;
+    message
+      << "Time " << time << " s: " << solids.all_bodies()[place->body].name << " has run into "
+      << (place->wall                        ? "wall " + geometry.wall_name(*place->wall)
+          : place->body == place->other_body ? "itself"
+                                             : solids.all_bodies()[place->other_body].name)
+      << " at (" << place->point
+      << ") m. Contact of solids with walls and with each other is not computed: keep them apart by 'Clamped' or "
+         "'Driven', or end the run before.";
+    throw RunError(message.str());
   }
 
 

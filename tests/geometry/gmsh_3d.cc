@@ -30,10 +30,10 @@ struct Case
     prm.leave_subsection();
     InitialGeometry<3> geometry;
     geometry.parse_parameters(prm, false);
-    const std::vector<bool> wet = geometry.create(h, SolidContour<3>({}, cloud), cloud, walls);
+    geometry.create(h, SolidContour<3>({}, cloud), cloud, walls);
     Remesher<3> remesher;
     parse(remesher);
-    remesher.create_mesh(cloud, walls, {}, wet, mesh);
+    remesher.create_mesh(cloud, walls, {}, geometry.region(), mesh);
   }
 };
 

@@ -106,6 +106,15 @@ int main(int argc, char **argv)
 
   const Case two({{"Fluid boxes", "0, 0, 0 : 1, 1, 1; 1, 0, 0 : 2, 1, 1"}}, 0.2);
   check("two boxes side by side", two.mesh.volume(two.cloud) - 2., 1e-10);
+  for (const double h : {0.25, 0.2, 0.13})
+    for (const std::string start : {"1.25", "1.3", "1.4"})
+    {
+      const Case apart({{"Fluid boxes", "0, 0, 0 : 1, 1, 1; " + start + ", 0.3, 0 : 2, 1.3, 0.7"}}, h);
+      check("boxes apart, the second from x = " + start,
+            apart.mesh.volume(apart.cloud) - (1. + 0.7 * (2. - std::stod(start))), 1e-10);
+    }
+  const Case corners({{"Fluid boxes", "0, 0, 0 : 1, 1, 1; 1, 1, 0 : 2, 2, 1; 0, 0, 1 : -1, -1, 2"}}, 0.2);
+  check("boxes that touch in an edge and a corner", corners.mesh.volume(corners.cloud) - 3., 1e-10);
   const Case slip({{"Fluid boxes", "0, 0, 0 : 1, 1, 1"}, {"Slip walls", floor_wall}}, 0.2);
   check("slip walls carry no particles",
         slip.cloud.n_particles(ParticleKind::wall) == 0 && slip.walls.facets().size() == 2);

@@ -28,12 +28,12 @@ namespace Tests
       prm.leave_subsection();
       InitialGeometry<dim> geometry;
       geometry.parse_parameters(prm, false);
-      const std::vector<bool> wet = geometry.create(h, SolidContour<dim>({}, cloud), cloud, walls);
+      geometry.create(h, SolidContour<dim>({}, cloud), cloud, walls);
       Remesher<dim> remesher;
       parse(remesher);
       Migration<dim> migration(communicator);
       migration.distribute(cloud, remesher.region_distance(cloud, mesh, 0., communicator), 0);
-      remesher.create_mesh(cloud, walls, {}, wet, migration, mesh);
+      remesher.create_mesh(cloud, walls, {}, geometry.region(), migration, mesh);
       migration.migrate(cloud, mesh, remesher.region_distance(cloud, mesh, 0., communicator), 0);
     }
   };

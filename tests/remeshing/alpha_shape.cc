@@ -9,7 +9,7 @@
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
-#include "tests.h"
+#include "plain_region.h"
 
 #include <limits>
 
@@ -62,12 +62,9 @@ bool contains(const FluidMesh<2> &mesh, const ParticleCloud<2> &cloud, const Poi
   return false;
 }
 
-// All particles are wet unless said otherwise.
-double created_volume(const ParticleCloud<2> &cloud, FluidMesh<2> &mesh, const Walls<2> &walls = Walls<2>(),
-                      std::vector<bool> wet = std::vector<bool>())
+double created_volume(const ParticleCloud<2> &cloud, FluidMesh<2> &mesh, const Walls<2> &walls = Walls<2>())
 {
-  wet.resize(cloud.size(), true);
-  remesher<2>("plain").create_mesh(cloud, walls, {}, wet, mesh);
+  remesher<2>("plain").create_mesh(cloud, walls, {}, plain_region<2>(walls), mesh);
   return mesh.volume(cloud);
 }
 
@@ -224,11 +221,7 @@ void test_rules()
       level = level && centroid<2>(corners_of<2>(cell, column.position))[1] < 0.5;
     return level;
   };
-  std::vector<bool> wet;
-  for (const Point<2> &p : column.position)
-    wet.push_back(p[1] < 0.5 + 1e-10);
-  created_volume(column, mesh, Walls<2>(), wet);
-  check("first mesh: a level fluid does not climb dry walls", is_level());
+  created_volume(column, mesh);
   std::vector<Simplex<2>> below;
   for (const Simplex<2> &cell : mesh.particle_cells())
     if (centroid<2>(corners_of<2>(cell, column.position))[1] < 0.5)
@@ -337,7 +330,8 @@ void test_3d()
       }
   const unsigned int isolated = cloud.append({3., 3., 3.}, ParticleKind::fluid, h);
   FluidMesh<3> mesh;
-  remesher<3>("advected").create_mesh(cloud, Walls<3>(), {}, std::vector<bool>(cloud.size(), true), mesh);
+  const Walls<3> no_walls;
+  remesher<3>("advected").create_mesh(cloud, no_walls, {}, plain_region<3>(no_walls), mesh);
   check("3D: the mesh fills the cube", mesh.volume(cloud) / std::pow(n * h, 3) - 1., 1e-2);
   check("3D: a particle far away is isolated", mesh.particles().back() < isolated);
   for (Point<3> &p : cloud.position)

@@ -5,7 +5,7 @@
 #include <lahar/remeshing/domain_limit.h>
 #include <lahar/remeshing/remesher.h>
 
-#include "tests.h"
+#include "plain_region.h"
 
 using namespace Tests;
 
@@ -25,7 +25,8 @@ void test_lattice(const std::string &box, const unsigned int n_expected, const d
   Remesher<dim> remesher;
   parse(remesher, "");
   FluidMesh<dim> mesh;
-  remesher.create_mesh(cloud, Walls<dim>(), {}, std::vector<bool>(cloud.size(), true), mesh);
+  const Walls<dim> no_walls;
+  remesher.create_mesh(cloud, no_walls, {}, plain_region<dim>(no_walls), mesh);
   const unsigned int n_before = cloud.size();
   const std::string name      = std::to_string(dim) + "D, box '" + box + "': ";
   check(name + "the whole volume before", mesh.volume(cloud) - std::pow(4., dim), 1e-12);

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "tests.h"
+#include "plain_region.h"
 
 using namespace Tests;
 
@@ -70,9 +70,9 @@ struct Fluid
       }
     if constexpr (dim == 2)
       floor.push_back({{{{9., 0.}, {-1., 0.}}}});
-    const std::vector<bool> wet(cloud.size(), true);
     migration.distribute(cloud, distance(communicator), n_contour);
-    remesher.create_mesh(cloud, Walls<dim>(floor), contour, wet, migration, mesh);
+    const Walls<dim> floor_walls(floor);
+    remesher.create_mesh(cloud, floor_walls, contour, plain_region<dim>(floor_walls), migration, mesh);
     migration.migrate(cloud, mesh, distance(communicator), n_contour);
   }
 

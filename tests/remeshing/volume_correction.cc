@@ -6,7 +6,7 @@
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
-#include "tests.h"
+#include "plain_region.h"
 
 using namespace Tests;
 
@@ -32,7 +32,7 @@ struct Block
         p[d] = rest % n;
       cloud.append(p + 0.05 * random.vector<dim>(), ParticleKind::fluid, 1.);
     }
-    remesher.create_mesh(cloud, walls, {}, std::vector<bool>(cloud.size(), true), mesh);
+    remesher.create_mesh(cloud, walls, {}, plain_region<dim>(walls), mesh);
   }
 
   /// Disturb the particles and remesh. @return its relative volume change.

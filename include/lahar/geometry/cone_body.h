@@ -18,6 +18,7 @@ namespace Lahar
              const double top_radius);
 
     Box<3> box() const override;
+    double volume() const override;
     double signed_distance(const Point<3> &point) const override;
     std::vector<Point<3>> fill(const MeshSize<3> &h) const override;
 

@@ -20,6 +20,7 @@ namespace Lahar
     ConvexBody(const std::string &name, const std::vector<Point<3>> &corners);
 
     Box<3> box() const override;
+    double volume() const override;
     double signed_distance(const Point<3> &point) const override;
     std::vector<Point<3>> fill(const MeshSize<3> &h) const override;
     std::vector<Point<3>> corners() const override;

@@ -6,8 +6,8 @@
 #include <lahar/geometry/box.h>
 #include <lahar/geometry/mesh_size.h>
 
+#include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Lahar
@@ -35,14 +35,30 @@ namespace Lahar
 
     virtual Box<dim> box() const = 0;
 
-    /// Distance of @p point from the contour, negative inside, m; its absolute value is right near the contour.
+    /// Volume (area in 2D).
+    virtual double volume() const = 0;
+
+    /// Distance of @p point from the contour, negative inside, m; its absolute value is right near the contour, and never
+    /// larger than the distance.
     virtual double signed_distance(const Point<dim> &point) const = 0;
+
+    /// How far the contour may lie off what it stands for, m: chords of a curved wall, say.
+    virtual double roughness() const
+    {
+      return 0.;
+    }
 
     /// About how many points fill() works on.
     virtual double estimate_size(const double h) const;
 
     /// Particles of the body at the distance @p h, on its contour too.
     virtual std::vector<Point<dim>> fill(const MeshSize<dim> &h) const = 0;
+
+    /// The facets of a contour that is made of many small ones.
+    virtual std::vector<std::array<Point<dim>, dim>> contour() const
+    {
+      return {};
+    }
 
     /// Its corners, as far as it has such.
     virtual std::vector<Point<dim>> corners() const
@@ -52,27 +68,6 @@ namespace Lahar
 
   private:
     std::string body_name;
-  };
-
-  /// The points of physical groups of a mesh file. Overlaps with other things are not seen: it has no contour.
-  template <int dim>
-  class MeshBody : public FluidBody<dim>
-  {
-  public:
-    MeshBody(const std::string &name, const std::vector<Point<dim>> &nodes);
-
-    Box<dim> box() const override;
-
-    /// Infinite.
-    double signed_distance(const Point<dim> &) const override;
-
-    double estimate_size(const double) const override;
-
-    /// The nodes, whatever the mesh size.
-    std::vector<Point<dim>> fill(const MeshSize<dim> &) const override;
-
-  private:
-    std::vector<Point<dim>> nodes;
   };
 
   /// The smallest box around @p points, of which there must be one.

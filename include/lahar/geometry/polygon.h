@@ -44,9 +44,16 @@ namespace Lahar
                                         const bool closed);
 
   /**
-   * Points in a polygon at the distance @p h: on the contour as sample_polyline() places them, inside on lattices of
-   * equilateral triangles of the sizes @p levels (append_graded_lattice()), smoothed towards the contour and from one
-   * lattice to the next. The contour's points come first.
+   * Points in a region at the distance @p h: those of its @p contour first, inside, where @p depth says that the contour
+   * is more than 0.55 h away, lattices of equilateral triangles of the sizes @p levels (append_graded_lattice()), smoothed
+   * towards the contour and from one lattice to the next.
+   */
+  std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
+                                     const SizeFunction<2> &h, const std::vector<double> &levels);
+
+  /**
+   * Points in a polygon at the distance @p h: on the contour as sample_polyline() places them, inside as
+   * fill_contour(). The contour's points come first.
    */
   std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
                                      const std::vector<double> &levels);

@@ -15,6 +15,7 @@ namespace Lahar
     PolygonBody(const std::string &name, const Polygon &contour);
 
     Box<2> box() const override;
+    double volume() const override;
     double signed_distance(const Point<2> &point) const override;
     double estimate_size(const double h) const override;
     std::vector<Point<2>> fill(const MeshSize<2> &h) const override;

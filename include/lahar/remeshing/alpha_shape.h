@@ -65,6 +65,11 @@ namespace Lahar
       return 2. * alpha_keep;
     }
 
+    /// For a candidate that the fluid is asked to fill at the start: whether R < α_keep h, and no edge passes through a
+    /// wall.
+    bool accepts_first(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
+                       const Walls<dim> &walls) const;
+
     /// The plain rule.
     bool accepts_plain(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud,
                        const Walls<dim> &walls) const;

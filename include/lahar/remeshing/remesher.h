@@ -11,6 +11,8 @@
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/parameters.h>
 
+#include <functional>
+
 namespace Lahar
 {
   /**
@@ -25,6 +27,9 @@ namespace Lahar
   {
   public:
     using Facet = std::array<unsigned int, dim>;
+
+    /// Whether a simplex of particles belongs to a region.
+    using Region = std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)>;
 
     /// What a remeshing did.
     struct Report
@@ -47,22 +52,19 @@ namespace Lahar
                            const double longest_other_edge, const MPI_Comm &communicator) const;
 
     /**
-     * The first mesh: the simplices of wet particles that the plain alpha shape accepts. Collective; @p migration has
-     * brought the particles to where they belong, with the region_distance() of an empty mesh. Each rank has its own
-     * cells then; Migration::migrate() tells it of the others.
-     *
-     * @param wet by the particles' numbers.
+     * The first mesh: the simplices of the region that the fluid is asked to fill, but for those that AlphaShape always
+     * drops. Collective; @p migration has brought the particles to where they belong, with the region_distance() of an
+     * empty mesh. Each rank has its own cells then; Migration::migrate() tells it of the others.
      */
     void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                     const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
+                     const std::vector<Facet> &solid_facets, const Region &region,
                      const Migration<dim> &migration, FluidMesh<dim> &mesh) const;
 
     /// The same on one rank.
     void create_mesh(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                     const std::vector<Facet> &solid_facets, const std::vector<bool> &wet,
-                     FluidMesh<dim> &mesh) const
+                     const std::vector<Facet> &solid_facets, const Region &region, FluidMesh<dim> &mesh) const
     {
-      create_mesh(cloud, walls, solid_facets, wet, Migration<dim>(), mesh);
+      create_mesh(cloud, walls, solid_facets, region, Migration<dim>(), mesh);
     }
 
     /**

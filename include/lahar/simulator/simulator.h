@@ -100,10 +100,14 @@ namespace Lahar
     void move_particles(const double time_step);
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
     void take_mean_forces();
+    /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
+    void stop_at_collision(const std::vector<Point<dim>> &old_position);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     std::vector<NodeConstraint<dim>> constraints() const;
     void set_initial_velocities();
+    /// Where the first mesh does not show the shapes that were asked for.
+    void warn_of_coarse_mesh();
     void add_statistics(const double time_step, const NonlinearReport &report);
     /// Say once when the account of the volume has passed one percent.
     void warn_of_volume();

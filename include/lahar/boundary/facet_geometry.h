@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_boundary_facet_geometry_h
+#define lahar_boundary_facet_geometry_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+
+namespace Lahar
+{
+  using namespace dealii;
+
+  /// The point of a facet (a segment in 2D, a triangle in 3D) nearest to @p point, by shares of its corners.
+  std::array<double, 2> nearest_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point);
+  std::array<double, 3> nearest_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point);
+
+  /// The point of a facet that has the given shares of its corners.
+  template <int dim>
+  inline Point<dim> point_of(const std::array<Point<dim>, dim> &corners,
+                             const std::array<double, dim> &shares)
+  {
+    Point<dim> result;
+    for (unsigned int v = 0; v < dim; ++v)
+      result += shares[v] * Tensor<1, dim>(corners[v]);
+    return result;
+  }
+
+  /// The point of a facet nearest to @p point.
+  template <int dim>
+  inline Point<dim> nearest_point(const std::array<Point<dim>, dim> &corners, const Point<dim> &point)
+  {
+    return point_of<dim>(corners, nearest_shares(corners, point));
+  }
+} // namespace Lahar
+
+#endif

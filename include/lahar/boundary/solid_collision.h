@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_boundary_solid_collision_h
+#define lahar_boundary_solid_collision_h
+
+#include <lahar/boundary/walls.h>
+#include <lahar/solid/solid_mesh.h>
+
+#include <optional>
+
+namespace Lahar
+{
+  /**
+   * Where a solid has run into a rigid wall, into another solid or into itself, which nothing prevents: the contact of
+   * solids is not computed.
+   *
+   * A solid has run into a wall where an edge of its contour passes through a facet of the wall or an edge of the wall
+   * through a facet of the contour, or where the path of one of its nodes in the last step did; into a solid where an edge
+   * of one contour passes through a facet of the other that it shares no node with. Both ends of an edge or path must lie
+   * more than a tenth of the facets' size off the facet, and a wall's edge must pass that far from the facet's rim: solids
+   * may touch walls.
+   */
+  template <int dim>
+  class SolidCollision
+  {
+  public:
+    struct Place
+    {
+      Point<dim> point;
+      unsigned int body = 0;            ///< of the solid
+      std::optional<unsigned int> wall; ///< the facet of the wall; without it the other solid is
+      unsigned int other_body = 0;
+    };
+
+    /// The first place found; nothing where none is.
+    static std::optional<Place> find(const SolidMesh<dim> &mesh, const std::vector<Point<dim>> &old_position,
+                                     const std::vector<Point<dim>> &position, const Walls<dim> &walls);
+  };
+} // namespace Lahar
+
+#endif
