@@ -136,7 +136,7 @@ namespace Lahar
     any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const auto &[part, count] :
+      for (const auto [part, count] :
            {std::make_pair(&bodies[b].clamped, n_clamped[b]), std::make_pair(&bodies[b].driven, n_driven[b]),
             std::make_pair(&bodies[b].loaded, n_loaded[b])})
         if (!part->where.empty() && count == 0)
