@@ -219,7 +219,10 @@ namespace
 
 int main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // The program's name and no options: deal.II hands them on to PETSc and Kokkos, which have a say on those of Lahar.
+  int n_words   = 1;
+  char *words[] = {argv[0], nullptr}, **name = words;
+  Utilities::MPI::MPI_InitFinalize mpi(n_words, name, 1);
   try
   {
     return lahar_main(argc, argv);

@@ -4,10 +4,12 @@ import os
 
 failed = []
 
-# One thread a rank; Open MPI may run as root, without a remote shell, and with more ranks than cores.
+# One thread a rank; Open MPI may run as root, without a remote shell or a network, and with more ranks than cores
+# (version 4 and 5).
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_plm_rsh_agent="")
+                   PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe", OMPI_MCA_plm_rsh_agent="",
+                   OMPI_MCA_btl="^tcp")
 
 
 def on_ranks(command, mpiexec, n_ranks):

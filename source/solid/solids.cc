@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace Lahar
 {
@@ -155,13 +156,17 @@ namespace Lahar
     any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const auto &[part, count] :
-           {std::make_pair(&bodies[b].clamped, n_clamped[b]), std::make_pair(&bodies[b].driven, n_driven[b]),
-            std::make_pair(&bodies[b].loaded, n_loaded[b])})
+    {
+      const std::pair<const typename SolidBody<dim>::Prescribed *, unsigned int> parts[] = {
+        {&bodies[b].clamped, n_clamped[b]},
+        {&bodies[b].driven, n_driven[b]},
+        {&bodies[b].loaded, n_loaded[b]}};
+      for (const auto &[part, count] : parts)
         if (!part->where.empty() && count == 0)
           throw InputError("Parameter '" + part->path + "' is '" + part->text +
                            "', which holds no part of the contour of " + bodies[b].name +
                            ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
+    }
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (!is_loaded && n_clamped[b] + n_driven[b] + n_loaded[b] == 0)
         warnings.push_back(

@@ -251,7 +251,8 @@ def test_printed():
         check("--help", result.returncode == 0 and all(option in result.stdout for option in
                                                        ["--set", "--check", "--print-parameters", "--version"]), result)
         result = run(directory, "--version", text=None)
-        check("--version", result.returncode == 0 and re.search(r"lahar \d+\.\d+\.\d+", result.stdout), result)
+        check("--version, nothing else", result.returncode == 0 and
+              re.fullmatch(r"lahar \d+\.\d+\.\d+ \(deal\.II \S+\)\n", result.stdout), result.stdout)
 
         result = run(directory, "--print-parameters", "json", text=None)
         check("--print-parameters json", result.returncode == 0, result.stderr)

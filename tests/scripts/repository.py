@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Test what a stranger sees of the repository: links in Markdown files lead to files and headings that exist, and
+CITATION.cff and the files under .github can be read.
+
+Usage: repository.py
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from program_test import check, failed  # noqa: E402
+
+# A link or a picture that is neither an address nor in a line of code.
+LINK = re.compile(r"\]\(<?([^)<>\s]+)>?\)")
+
+
+def without_code(text):
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S))
+
+
+def anchors(path):
+    """The headings as they stand in links: lower case, words joined by -, no punctuation."""
+    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+    return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+            for heading in re.findall(r"^#+ (.*)$", text, re.M)}
+
+
+def check_links():
+    pages = [path for folder in (".", "doc", ".github") for path in
+             ((ROOT / folder).glob("*.md") if folder == "." else (ROOT / folder).rglob("*.md"))]
+    check("pages are found", len(pages) > 20)
+    broken = []
+    for page in sorted(pages):
+        for link in LINK.findall(without_code(page.read_text(encoding="utf-8"))):
+            if re.match(r"[a-z]+:", link):
+                continue
+            name, _, anchor = link.partition("#")
+            target = (page.parent / name) if name else page
+            if not target.exists():
+                broken.append(f"{page.relative_to(ROOT)}: {link}: no such file")
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target):
+                broken.append(f"{page.relative_to(ROOT)}: {link}: no such heading")
+    check("links lead somewhere", not broken, *broken)
+
+
+def check_yaml():
+    try:
+        import yaml
+    except ImportError:
+        print("no python3-yaml: CITATION.cff and .github are not read")
+        return
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    version = re.search(r"project\(Lahar VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+    check("CITATION.cff: the program's version", str(citation["version"]) == version, citation["version"], version)
+    check("CITATION.cff: who and what", citation["cff-version"] == "1.2.0" and citation["authors"] and citation["title"]
+          and citation["references"])
+    workflow = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))
+    check("the workflow has steps", all(job["steps"] for job in workflow["jobs"].values()))
+    for path in sorted((ROOT / ".github/ISSUE_TEMPLATE").glob("*.md")):
+        head = yaml.safe_load(path.read_text(encoding="utf-8").split("---")[1])
+        check(f"{path.name}: name and purpose", head["name"] and head["about"])
+
+
+def check_scripts():
+    for path in [ROOT / ".ci/run", *(ROOT / "contrib").glob("*"), *(ROOT / "contrib/utilities").glob("*")]:
+        if path.is_file() and path.read_bytes().startswith(b"#!/usr/bin/env bash"):
+            result = subprocess.run(["bash", "-n", str(path)], capture_output=True, text=True)
+            check(f"{path.relative_to(ROOT)}: bash reads it", result.returncode == 0, result.stderr)
+
+
+check_links()
+check_yaml()
+check_scripts()
+sys.exit(1 if failed else 0)
