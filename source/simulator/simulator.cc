@@ -184,6 +184,7 @@ namespace Lahar
         problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
                            remeshing.arrives, solids, time + time_step, migration);
         report = scheme->solve(problem);
+        problem.check_closed_parts();
         check_movements();
         accepted = true;
       }

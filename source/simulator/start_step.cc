@@ -117,6 +117,9 @@ namespace Lahar
     else
       system.set_positions(positions);
 
+    start_position.clear();
+    for (const unsigned int node : system.partition().nodes())
+      start_position.push_back(positions[node]);
     mesh = region_mesh;
     if (is_alone)
       return;
@@ -164,12 +167,25 @@ namespace Lahar
       constraints[node] = solid.constraint(i);
       is_solid[node]    = true;
     }
+    fix_pressures();
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::fix_pressures()
+  {
     fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
+    if (fluid_law->compressibility() == 0.)
+      closed_parts.fix_levels(system.cells_by_local_number(), start_position, system.partition(),
+                              constraints);
     system.set_constraints(constraints);
   }
 
 
 
+  template void StepProblem<2>::fix_pressures();
+  template void StepProblem<3>::fix_pressures();
   template void StepProblem<2>::start_step(const FluidMesh<2> &, const ParticleCloud<2> &,
                                            const std::vector<NodeConstraint<2>> &, const FluidLaw &,
                                            const Tensor<1, 2> &, const TimeIntegration &,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/simulator/step_problem.h>
-#include <lahar/simulator/undetermined_pressures.h>
 #include <lahar/utilities/ranks.h>
 
 #include <algorithm>
@@ -232,10 +231,16 @@ namespace Lahar
   {
     crushed_cells.update(fluid.state.left_out);
     if (held_vertices.update(system.partition(), constraints))
-    {
-      fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
-      system.set_constraints(constraints);
-    }
+      fix_pressures();
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::check_closed_parts() const
+  {
+    closed_parts.check(system.cells_by_local_number(), start_position, fluid.old_volumes(),
+                       fluid.new_volumes(), system.partition());
   }
 
 

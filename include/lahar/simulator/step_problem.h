@@ -10,6 +10,7 @@
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
 #include <lahar/remeshing/migration.h>
+#include <lahar/simulator/closed_parts.h>
 #include <lahar/simulator/crushed_cells.h>
 #include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/held_vertices.h>
@@ -80,6 +81,9 @@ namespace Lahar
     {
       return damped;
     }
+
+    /// @throws RunError if fluid without a free surface could not keep its volume, see ClosedParts.
+    void check_closed_parts() const;
 
     /// Number of vertices that are held.
     unsigned int n_held() const
@@ -159,6 +163,8 @@ namespace Lahar
                         const std::vector<Point<dim>> &positions, std::vector<unsigned int> &owners,
                         std::vector<std::uint64_t> &keys) const;
     void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
+    /// Fix the pressures that nothing determines, and hand the constraints to the system.
+    void fix_pressures();
     /// The cells that cannot keep themselves from being crushed, of those that the present state would flatten.
     std::vector<unsigned int> crushable_cells() const;
     /// Keep simplices from being flattened by the old velocities.
@@ -202,7 +208,9 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
-    std::vector<bool> is_solid; ///< by local number: whether the node is a solid's
+    ClosedParts<dim> closed_parts;
+    std::vector<Point<dim>> start_position; ///< by local number
+    std::vector<bool> is_solid;             ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double mean_spacing  = 0.; ///< of the mesh's particles, m
     double velocity_norm = 0., pressure_norm = 0.;
