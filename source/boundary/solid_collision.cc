@@ -10,7 +10,7 @@ namespace Lahar
   namespace
   {
     /// Depth below which what touches has not run into each other, over the size of the contour's facets.
-    constexpr double tolerated_depth = 0.1;
+    constexpr double tolerated_depth = 0.5;
 
     template <int dim>
     Point<dim> meeting(const Walls<dim> &walls, const unsigned int facet, const Point<dim> &a,

@@ -381,19 +381,23 @@ namespace Lahar
     const std::vector<Edge> edges = edges_of<dim>(mesh, cloud.size());
     std::vector<bool> removed     = find_removals(cloud, walls, mesh, edges, migration);
     std::vector<Edge> inserted    = find_insertions(cloud, edges, removed, migration);
+
+    // What a wall, a solid or a particle that goes owes is handed on to the first fluid particle next to it that stays,
+    // else to a wall or solid.
+    for (const bool to_fluid : {true, false})
+      for (const auto &[a, b] : edges)
+        for (const auto &[from, to] : {Edge(a, b), Edge(b, a)})
+          if ((removed[from] || (to_fluid && cloud.kind[from] != ParticleKind::fluid)) && !removed[to] &&
+              (cloud.kind[to] == ParticleKind::fluid || !to_fluid))
+          {
+            cloud.owed_volume[to] += cloud.owed_volume[from];
+            cloud.owed_volume[from] = 0.;
+          }
+    migration.update(cloud.owed_volume);
+
     if (migration.is_alone() && inserted.empty() &&
         std::find(removed.begin(), removed.end(), true) == removed.end())
       return;
-
-    // What a removed particle owes goes to the first neighbour that stays.
-    for (const auto &[a, b] : edges)
-      for (const auto &[from, to] : {Edge(a, b), Edge(b, a)})
-        if (removed[from] && !removed[to] && cloud.kind[to] == ParticleKind::fluid)
-        {
-          cloud.owed_volume[to] += cloud.owed_volume[from];
-          cloud.owed_volume[from] = 0.;
-        }
-    migration.update(cloud.owed_volume);
 
     const unsigned int n_old = cloud.size();
     insert(inserted, migration, cloud);

@@ -219,13 +219,14 @@ namespace Lahar
     }
     bodies.connect(cloud, migration);
 
-    // What changed, at a particle of the body that it belongs to; an isolated particle is a body of its own.
+    // What changed, at a particle of the body that it belongs to; an isolated particle is a body of its own. Where no fluid
+    // is left near by, the wall or solid keeps the account.
     const auto is_fluid = [&](const unsigned int i) {
       return i < cloud.size() && cloud.kind[i] == ParticleKind::fluid;
     };
     std::vector<double> n_particles(cloud.size(), 0.), change = n_particles, size = n_particles;
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      n_particles[i] = is_fluid(i) && cloud.is_own(i) ? 1. : 0.;
+      n_particles[i] = cloud.is_own(i) ? 1. : 0.;
     n_particles = bodies.sum(n_particles, migration);
     for (const auto &[corners, volume] : find_changes(old_domain, mesh, cloud))
     {
@@ -241,14 +242,16 @@ namespace Lahar
         for (const unsigned int i : corners)
           for (const unsigned int j : old_domain.old_neighbours(i))
             consider(j);
-      if (place != numbers::invalid_unsigned_int)
+      if (place == numbers::invalid_unsigned_int)
+        place = *std::min_element(corners.begin(), corners.end());
+      if (place < cloud.size())
       {
         change[place] += volume;
         size[place] += std::abs(volume);
       }
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (is_fluid(i) && cloud.is_own(i))
+      if (cloud.is_own(i))
       {
         change[i] += cloud.owed_volume[i];
         size[i] += std::abs(cloud.owed_volume[i]);
@@ -289,7 +292,7 @@ namespace Lahar
 
     const std::vector<double> given = bodies.sum(growth_by_place(mesh, volumes, cloud), migration);
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (is_fluid(i) && cloud.is_own(i))
+      if (cloud.is_own(i))
       {
         const double rest    = change[i] + given[i];
         cloud.owed_volume[i] = std::abs(rest) > smallest_change * size[i] ? rest / n_particles[i] : 0.;
