@@ -44,6 +44,9 @@ namespace Lahar
     pressure_change.assign(mesh->n_vertices(), 0.);
 
     assembler.set_stabilization(*mesh, law, gravity, fluid.state);
+    // There is no pressure yet: the residual is the weight, not the divergence of a stress.
+    if (time_integration.is_first_step())
+      fluid.state.residual_projection.assign(mesh->n_vertices(), Tensor<1, dim>());
     update_vertices(fluid.state.residual_projection);
     if (law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, law, fluid.state);

@@ -55,6 +55,12 @@ namespace Lahar
     /// Begin a step of length @p time_step (s); @p is_first as said above.
     void start_step(const double time_step, const bool is_first);
 
+    /// Whether the step is a run's first one.
+    bool is_first_step() const
+    {
+      return is_first;
+    }
+
     /// Δt, s.
     double length() const
     {

@@ -16,7 +16,7 @@ namespace Lahar
   {
   public:
     /// Raised whenever the data mean something else.
-    static constexpr unsigned int format_version = 3;
+    static constexpr unsigned int format_version = 4;
 
     explicit CheckpointFile(const std::string &output_directory);
 
