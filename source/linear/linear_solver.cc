@@ -11,7 +11,7 @@ namespace Lahar
   namespace
   {
     // See GmresTargets. The nonlinear iteration gains nothing from better increments.
-    constexpr double sweep_tolerance   = 0.03;
+    constexpr double sweep_tolerance   = 0.01;
     constexpr unsigned int most_sweeps = 60;
 
     /// The same for sweeps with the blocks of an earlier system.

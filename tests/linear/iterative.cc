@@ -131,13 +131,13 @@ void test(const unsigned int n)
       solver.solve_block(b, system.right_hand_side().block(b), solution.block(b));
       solution.block(b) -= by_blocks.block(b);
       check(name + preconditioner + ": one block alone",
-            solution.block(b).l2_norm() / by_blocks.block(b).l2_norm(), 1e-6);
+            solution.block(b).l2_norm() / by_blocks.block(b).l2_norm(), 1e-5);
     }
 
-    const unsigned int n_sweeps = solver.solve_in_two_steps(system, {v_scale, p_scale}, solution);
+    const unsigned int n_sweeps        = solver.solve_in_two_steps(system, {v_scale, p_scale}, solution),
+                       n_direct_sweeps = direct.solve_in_two_steps(system, {v_scale, p_scale}, by_blocks);
     check(name + preconditioner + ": as many sweeps with factors and with GMRES for the blocks",
-          n_sweeps > 1 && n_sweeps < 10 &&
-            direct.solve_in_two_steps(system, {v_scale, p_scale}, by_blocks) == n_sweeps);
+          n_sweeps > 1 && n_sweeps < 10 && n_direct_sweeps == n_sweeps);
     for (unsigned int b = 0; b < 2; ++b)
     {
       by_blocks.block(b) -= reference.block(b);
