@@ -31,9 +31,9 @@ namespace Lahar
    * - CoupledScheme finds the increments of velocity and pressure together.
    * - SegregatedScheme finds the velocities' for given pressures, then the pressures', and corrects both in a few more
    *   sweeps, see LinearSolver::solve_in_two_steps(). Franci & Zhang (2018) make one sweep for every assembly, with H alone
-   *   for the pressures and a pseudo bulk modulus in K to make up for it. With S no such parameter is needed. What one
-   *   sweep leaves is no descent direction: a line search needs the corrections, and so do HeldVertices, which must not
-   *   take a pressure that lags behind for an impact.
+   *   for the pressures and a pseudo bulk modulus in K to make up for it. With S no such parameter is needed, and without
+   *   plugs one sweep would do. In plugs diag(K)⁻¹ says little about K⁻¹; the corrections find the few directions in
+   *   which it does not.
    */
   template <int dim>
   class NonlinearScheme
