@@ -189,8 +189,7 @@ namespace Lahar
   {
     const Inertia<dim> inertia;
     const BodyForce<dim> body_force;
-    const ViscousStress<dim> viscous_stress(linearization.viscosity, linearization.plastic_weight,
-                                            linearization.viscosity_weight);
+    const ViscousStress<dim> viscous_stress(linearization.viscosity, linearization.plastic_weight);
     const PressureDivergence<dim> pressure_divergence;
     const FICInterior<dim> fic_interior;
     const FICFreeSurface<dim> fic_free_surface;

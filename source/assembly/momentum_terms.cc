@@ -114,7 +114,7 @@ namespace Lahar
     const SymmetricTensor<2, dim> stress = 2. * viscosity * cell.deviator;
     const ViscousTangent<dim> tangent    = viscous_tangent(cell, viscosity, linearization, plastic_weight);
     const auto &G                        = cell.gradients;
-    const double mu_V                    = viscosity_weight * tangent.viscosity * cell.volume;
+    const double mu_V                    = tangent.viscosity * cell.volume;
     const double c_V                     = tangent.coefficient * cell.volume;
 
     std::array<Tensor<1, dim>, n> traction, A, B;

@@ -280,22 +280,28 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int DirectSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
-                                              Vector &solution)
+  void DirectSolver<dim>::start_blocks(const BlockSystem<dim> &system)
   {
-    Factorization factorization;
-    factorization.analyse(b == 0 ? std::make_unique<Epetra_CrsMatrix>(
-                                     system.matrix().block(0, 0).trilinos_matrix())
-                                 : make_schur_complement(system),
-                          package, 0);
-    factorization.factorize();
+    for (unsigned int b = 0; b < 2; ++b)
+    {
+      blocks[b].analyse(b == 0
+                          ? std::make_unique<Epetra_CrsMatrix>(system.matrix().block(0, 0).trilinos_matrix())
+                          : make_schur_complement(system),
+                        package, 0);
+      blocks[b].factorize();
+    }
+  }
 
-    const auto &rhs = system.right_hand_side().block(b);
-    std::copy(rhs.begin(), rhs.end(), (*factorization.right_hand_side)[0]);
-    factorization.apply();
-    std::copy((*factorization.solution)[0], (*factorization.solution)[0] + rhs.locally_owned_size(),
-              solution.block(b).begin());
-    return 1;
+
+
+  template <int dim>
+  void DirectSolver<dim>::solve_block(const unsigned int b, const BlockVector &right_hand_side,
+                                      BlockVector &solution)
+  {
+    Factorization &block = blocks[b];
+    std::copy(right_hand_side.begin(), right_hand_side.end(), (*block.right_hand_side)[0]);
+    block.apply();
+    std::copy_n((*block.solution)[0], solution.locally_owned_size(), solution.begin());
   }
 
 
@@ -303,6 +309,7 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::forget()
   {
+    LinearSolver<dim>::forget();
     whole.pattern = 0;
   }
 

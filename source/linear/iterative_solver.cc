@@ -148,31 +148,32 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int IterativeSolver<dim>::solve_block(const BlockSystem<dim> &system, const unsigned int b,
-                                                 Vector &solution)
+  void IterativeSolver<dim>::start_blocks(const BlockSystem<dim> &system)
   {
-    Matrix schur;
-    if (b == 1)
-      schur.reinit(*make_schur_complement(system), true);
-    const Matrix &matrix                = b == 1 ? schur : system.matrix().block(0, 0);
-    const Preconditioner preconditioner = make_preconditioner(matrix, b == 1 ? 1 : dim, system, multigrid);
+    make_inverse(system, multigrid);
+  }
 
-    using BlockVector  = TrilinosWrappers::MPI::Vector;
-    const auto &rhs    = system.right_hand_side().block(b);
-    BlockVector scaled = rhs;
-    preconditioner->vmult(scaled, rhs);
+
+
+  template <int dim>
+  void IterativeSolver<dim>::solve_block(const unsigned int b, const BlockVector &right_hand_side,
+                                         BlockVector &solution)
+  {
+    const Preconditioner &preconditioner = b == 0 ? inverse->inverse_K : inverse->inverse_S;
+    BlockVector scaled                   = right_hand_side;
+    preconditioner->vmult(scaled, right_hand_side);
     SolverControl control(max_iterations, tolerance * scaled.l2_norm(), false, false);
-    SolverGMRES<BlockVector> gmres(control, SolverGMRES<BlockVector>::AdditionalData(max_iterations + 2));
-    solution.block(b) = 0.;
+    SolverGMRES<BlockVector> gmres(control,
+                                   typename SolverGMRES<BlockVector>::AdditionalData(max_iterations + 2));
+    solution = 0.;
     try
     {
-      gmres.solve(matrix, solution.block(b), rhs, *preconditioner);
+      gmres.solve(b == 0 ? inverse->K : inverse->S, solution, right_hand_side, *preconditioner);
     }
     catch (const SolverControl::NoConvergence &)
     {
       throw RunError("GMRES did not converge in " + std::to_string(max_iterations) + " iterations.");
     }
-    return control.last_step();
   }
 
 
@@ -180,6 +181,7 @@ namespace Lahar
   template <int dim>
   void IterativeSolver<dim>::forget()
   {
+    LinearSolver<dim>::forget();
     inverse.reset();
   }
 

@@ -3,9 +3,24 @@
 #include <lahar/linear/direct_solver.h>
 #include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/linear/scaled_gmres.h>
+#include <lahar/utilities/exceptions.h>
 
 namespace Lahar
 {
+  namespace
+  {
+    // See GmresTargets. The nonlinear iteration gains nothing from better increments.
+    constexpr double sweep_tolerance   = 0.01;
+    constexpr unsigned int most_sweeps = 60;
+
+    /// The same for sweeps with the blocks of an earlier system.
+    constexpr double slack                     = 1.5;
+    constexpr unsigned int most_earlier_sweeps = 6;
+  } // namespace
+
+
+
   template <int dim>
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
@@ -36,6 +51,47 @@ namespace Lahar
     if (type == "iterative")
       return iterative;
     return direct;
+  }
+
+
+
+  template <int dim>
+  unsigned int LinearSolver<dim>::solve_in_two_steps(const BlockSystem<dim> &system,
+                                                     const IncrementScales &scales, Vector &solution)
+  {
+    BlockVector rest = system.right_hand_side().block(1);
+    for (const bool fresh : {false, true})
+    {
+      if (!fresh && blocks_pattern != system.pattern_number())
+        continue;
+      if (fresh)
+        start_blocks(system);
+      blocks_pattern = system.pattern_number();
+
+      const GmresTargets targets  = fresh ? GmresTargets{most_sweeps, sweep_tolerance}
+                                          : GmresTargets{most_earlier_sweeps, sweep_tolerance, slack};
+      const unsigned int n_sweeps = solve_by_scaled_gmres<dim>(
+        system,
+        [&](const Vector &x, Vector &y) {
+          solve_block(0, x.block(0), y.block(0));
+          system.matrix().block(1, 0).vmult(rest, y.block(0));
+          rest.sadd(-1., 1., x.block(1));
+          solve_block(1, rest, y.block(1));
+        },
+        scales, targets, solution);
+      if (n_sweeps <= targets.max_iterations)
+        return n_sweeps;
+    }
+    throw RunError("Velocities and pressures do not agree after " + std::to_string(most_sweeps) +
+                   " solutions for each.");
+  }
+
+
+
+  template <int dim>
+  void LinearSolver<dim>::forget()
+  {
+    blocks_pattern = 0;
   }
 
 

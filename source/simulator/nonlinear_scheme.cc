@@ -21,12 +21,6 @@ namespace Lahar
     constexpr double shortest_step       = 0.2;
     constexpr unsigned int n_trial_steps = 3;
 
-    /// Newton's whole derivative would overshoot in the segregated scheme, which has no line search.
-    constexpr double segregated_plastic_weight = 0.5;
-
-    // diag(K) measures the viscous resistance by the mesh size. It is smaller against the smooth flow that a smooth
-    // pressure drives, so that only a part of the viscosity enters the diagonal in the Schur complement.
-    constexpr double schur_viscosity_weight = 0.05;
     /// Increments are solved for to this part of the tolerance of the nonlinear iteration.
     constexpr double negligible_part = 0.1;
   } // namespace
@@ -39,8 +33,8 @@ namespace Lahar
     prm.enter_subsection("Nonlinear solver");
     prm.declare_entry(
       "Scheme", "coupled", Patterns::Anything(),
-      "'coupled': Newton's method for velocity and pressure together; 'segregated': velocity first, then "
-      "pressure; takes about twice as many iterations.");
+      "How Newton's method finds its increments. 'coupled': of velocity and pressure together; 'segregated': of velocity "
+      "first, then of pressure, with a few corrections of both.");
     prm.declare_entry(
       "Viscosity linearization", "primal-dual", Patterns::Anything(),
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
@@ -137,10 +131,10 @@ namespace Lahar
 
 
   template <int dim>
-  void CoupledScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
+  void NonlinearScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
   {
-    typename NonlinearScheme<dim>::Linearization linearization;
-    linearization.viscosity = this->viscosity_linearization(problem);
+    typename StepProblem<dim>::Linearization linearization;
+    linearization.viscosity = viscosity_linearization(problem);
 
     if (report.iterations == 1)
     {
@@ -151,7 +145,7 @@ namespace Lahar
     linearization.motion     = motion;
     report.momentum_residual = problem.momentum_residual_norm();
     report.mass_residual     = problem.mass_residual_norm();
-    report.linear_iterations += problem.solve(this->negligible_error());
+    report.linear_iterations += find_increments(problem);
 
     double start = problem.work_along_increment();
     problem.take_step(1.);
@@ -161,13 +155,13 @@ namespace Lahar
       motion_increment *= motion_increment_factor;
       problem.take_step(0.);
       problem.assemble(linearization);
-      report.linear_iterations += problem.solve(this->negligible_error());
+      report.linear_iterations += find_increments(problem);
       start = problem.work_along_increment();
       problem.take_step(1.);
     }
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
-    if (this->is_converged(report))
+    if (is_converged(report))
       return;
     problem.hold_blocked_vertices();
 
@@ -185,43 +179,6 @@ namespace Lahar
       problem.assemble(linearization);
       end = problem.work_along_increment();
     }
-  }
-
-
-
-  template <int dim>
-  void SegregatedScheme<dim>::iterate(StepProblem<dim> &problem, NonlinearReport &report)
-  {
-    if (report.iterations == 1)
-      acceleration.restart(problem.communicator());
-    const Vector<double> start = problem.unknowns();
-
-    // The primal-dual linearisation needs increments that both equations agree on.
-    typename NonlinearScheme<dim>::Linearization linearization;
-    linearization.viscosity = this->viscosity_linearization(problem);
-    if (linearization.viscosity == ViscosityLinearization::primal_dual)
-      linearization.viscosity = ViscosityLinearization::newton;
-    linearization.plastic_weight = segregated_plastic_weight;
-    linearization.motion         = false;
-
-    problem.assemble(linearization);
-    report.momentum_residual = problem.momentum_residual_norm();
-    report.linear_iterations += problem.solve_block(0);
-    problem.take_step(1.);
-    report.velocity_increment = problem.velocity_increment();
-
-    linearization.viscosity        = ViscosityLinearization::picard;
-    linearization.viscosity_weight = schur_viscosity_weight;
-    problem.assemble(linearization);
-    report.mass_residual = problem.mass_residual_norm();
-    report.linear_iterations += problem.solve_block(1);
-    problem.take_step(1.);
-    report.pressure_increment = problem.pressure_increment();
-
-    if (!this->is_converged(report) &&
-        !problem.set_unknowns(
-          acceleration.next_iterate(start, problem.unknowns(), problem.unknown_weights())))
-      acceleration.restart(problem.communicator());
   }
 
 

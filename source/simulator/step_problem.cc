@@ -123,7 +123,7 @@ namespace Lahar
 
 
   template <int dim>
-  unsigned int StepProblem<dim>::solve(const double negligible)
+  unsigned int StepProblem<dim>::solve(const double negligible, const bool in_two_steps)
   {
     TimerOutput::Scope scope(timer, "Solve");
     for (auto *old : {&base_dual, &dual_change}) // the solver needs the memory
@@ -132,19 +132,10 @@ namespace Lahar
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
     const double v_scale = std::max(velocity_norm, gravity.norm() * fluid.state.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
-    const unsigned int n_iterations = linear_solver->solve(system, {v_scale, p_scale, negligible}, solution);
-    start_increment();
-    return n_iterations;
-  }
-
-
-
-  template <int dim>
-  unsigned int StepProblem<dim>::solve_block(const unsigned int b)
-  {
-    TimerOutput::Scope scope(timer, "Solve");
-    solution                        = 0.;
-    const unsigned int n_iterations = linear_solver->solve_block(system, b, solution);
+    const IncrementScales scales    = {v_scale, p_scale, negligible};
+    const unsigned int n_iterations = in_two_steps
+                                        ? linear_solver->solve_in_two_steps(system, scales, solution)
+                                        : linear_solver->solve(system, scales, solution);
     start_increment();
     return n_iterations;
   }
@@ -241,57 +232,6 @@ namespace Lahar
   {
     closed_parts.check(system.cells_by_local_number(), start_position, fluid.old_volumes(),
                        fluid.new_volumes(), system.partition());
-  }
-
-
-
-  template <int dim>
-  Vector<double> StepProblem<dim>::unknowns() const
-  {
-    const unsigned int n_v = dim * system.partition().n_own(), n_p = system.n_own_fluid_nodes();
-    Vector<double> values(n_v + n_p);
-    const std::vector<Tensor<1, dim>> velocities = node_velocities();
-    for (unsigned int i = 0; i < n_v; ++i)
-      values[i] = velocities[i / dim][i % dim];
-    std::copy_n(fluid.state.pressure.begin(), n_p, values.begin() + n_v);
-    return values;
-  }
-
-
-
-  template <int dim>
-  Vector<double> StepProblem<dim>::unknown_weights() const
-  {
-    const unsigned int n_v = dim * system.partition().n_own();
-    Vector<double> weights(n_v + system.n_own_fluid_nodes());
-    for (unsigned int i = 0; i < weights.size(); ++i)
-      weights[i] = 1. / (i < n_v ? velocity_norm : pressure_norm);
-    return weights;
-  }
-
-
-
-  template <int dim>
-  bool StepProblem<dim>::set_unknowns(const Vector<double> &values)
-  {
-    const unsigned int n_v    = dim * system.partition().n_own();
-    const auto old_velocities = node_velocities();
-    std::vector<Tensor<1, dim>> velocities(old_velocities.size());
-    for (unsigned int i = 0; i < n_v; ++i)
-      velocities[i / dim][i % dim] = values[i];
-    system.partition().update(velocities);
-    fluid.move(by_vertex(velocities));
-    const bool fine = on_all_ranks(fluid.shrinking_vertices(base_volumes).empty());
-    if (fine)
-    {
-      std::copy(values.begin() + n_v, values.end(), fluid.state.pressure.begin());
-      update_vertices(fluid.state.pressure);
-    }
-    else
-      fluid.move(by_vertex(old_velocities));
-    solid.move(solid.gather(system.partition(), fine ? velocities : old_velocities));
-    set_norms();
-    return fine;
   }
 
 

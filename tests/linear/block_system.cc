@@ -275,12 +275,11 @@ void test()
     check(name + package + ": a different matrix", remainder.linfty_norm(), 1e-7);
 
     example.add_to(system);
+    solver.start_blocks(system);
     for (unsigned int b = 0; b < 2; ++b)
       for (unsigned int repetition = 0; repetition < 2; ++repetition)
       {
-        solution              = 0.;
-        solution.block(1 - b) = 17.;
-        solver.solve_block(system, b, solution);
+        solver.solve_block(b, system.right_hand_side().block(b), solution.block(b));
         system.matrix().block(b, b).vmult(remainder.block(b), solution.block(b));
         if (b == 1)
         {
@@ -295,7 +294,6 @@ void test()
         }
         remainder.block(b) -= system.right_hand_side().block(b);
         check(name + package + ": one block alone", remainder.block(b).linfty_norm(), 1e-11);
-        check(name + package + ": the other stays as it is", solution.block(1 - b).mean_value() - 17., 1e-12);
       }
   }
 

@@ -25,7 +25,6 @@ namespace Lahar
     {
       ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
       double plastic_weight            = 1.; ///< factor of the plastic part's derivative
-      double viscosity_weight          = 1.; ///< factor of the viscosity
       /// The dependence of the geometry on the velocity, but of cells that lose much of their volume in the step.
       bool motion = true;
     };

@@ -46,15 +46,10 @@ namespace Lahar
   class ViscousStress
   {
   public:
-    /**
-     * @param plastic_weight factor of the plastic part's derivative, below one to stiffen the Jacobian.
-     * @param viscosity_weight factor of μ_t in the Jacobian.
-     */
-    explicit ViscousStress(const ViscosityLinearization linearization, const double plastic_weight = 1.,
-                           const double viscosity_weight = 1.)
+    /// @param plastic_weight factor of the plastic part's derivative, below one to stiffen the Jacobian.
+    explicit ViscousStress(const ViscosityLinearization linearization, const double plastic_weight = 1.)
       : linearization(linearization)
       , plastic_weight(plastic_weight)
-      , viscosity_weight(viscosity_weight)
     {}
 
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
@@ -62,7 +57,6 @@ namespace Lahar
   private:
     ViscosityLinearization linearization;
     double plastic_weight;
-    double viscosity_weight;
   };
 
   /**

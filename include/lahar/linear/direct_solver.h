@@ -10,12 +10,13 @@
 
 #include <lahar/linear/linear_solver.h>
 
+#include <array>
 #include <string>
 
 namespace Lahar
 {
   /**
-   * Sparse factorisation of the whole system (Amesos: MUMPS or KLU), the unknowns of a node side by side.
+   * Sparse factorisation (Amesos: MUMPS or KLU) of the whole system, the unknowns of a node side by side, or of K and S.
    *
    * A factorisation serves as long as it is a good preconditioner: the next systems of the same pattern are solved by
    * GMRES, preconditioned from the left by the last factorisation, unless that takes or, by its convergence, would take
@@ -27,7 +28,8 @@ namespace Lahar
   class DirectSolver : public LinearSolver<dim>
   {
   public:
-    using Vector = typename LinearSolver<dim>::Vector;
+    using Vector      = typename LinearSolver<dim>::Vector;
+    using BlockVector = typename LinearSolver<dim>::BlockVector;
 
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
@@ -35,7 +37,10 @@ namespace Lahar
     unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
                        Vector &solution) override;
 
-    unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
+    void start_blocks(const BlockSystem<dim> &system) override;
+
+    void solve_block(const unsigned int b, const BlockVector &right_hand_side,
+                     BlockVector &solution) override;
 
     void forget() override;
 
@@ -63,6 +68,7 @@ namespace Lahar
     double tolerance            = 1e-2;
     unsigned int max_iterations = 6;
     Factorization whole;
+    std::array<Factorization, 2> blocks; ///< of K and S
   };
 } // namespace Lahar
 

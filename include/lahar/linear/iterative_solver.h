@@ -33,7 +33,8 @@ namespace Lahar
   class IterativeSolver : public LinearSolver<dim>
   {
   public:
-    using Vector = typename LinearSolver<dim>::Vector;
+    using Vector      = typename LinearSolver<dim>::Vector;
+    using BlockVector = typename LinearSolver<dim>::BlockVector;
 
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
@@ -41,7 +42,10 @@ namespace Lahar
     unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
                        Vector &solution) override;
 
-    unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b, Vector &solution) override;
+    void start_blocks(const BlockSystem<dim> &system) override;
+
+    void solve_block(const unsigned int b, const BlockVector &right_hand_side,
+                     BlockVector &solution) override;
 
     void forget() override;
 

@@ -19,7 +19,7 @@ namespace Lahar
   };
 
   /**
-   * Solves the block system, at once or block by block.
+   * Solves the block system, at once or in two steps.
    *
    * What belongs to the sparsity pattern is kept as long as the pattern stands, what was factorised as long as it is a
    * good approximation, but not beyond forget().
@@ -28,7 +28,8 @@ namespace Lahar
   class LinearSolver
   {
   public:
-    using Vector = typename BlockSystem<dim>::Vector;
+    using Vector      = typename BlockSystem<dim>::Vector;
+    using BlockVector = TrilinosWrappers::MPI::Vector;
 
     virtual ~LinearSolver() = default;
 
@@ -41,15 +42,36 @@ namespace Lahar
     virtual unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
                                Vector &solution) = 0;
 
-    /// Solve for one part alone, K x_0 = rhs_0 or S x_1 = rhs_1, S = H − C diag(K)⁻¹ Q. The other part stays as it is.
-    virtual unsigned int solve_block(const BlockSystem<dim> &system, const unsigned int b,
-                                     Vector &solution) = 0;
+    /**
+     * The same without a system of velocities and pressures together. A sweep solves for the velocities, with the
+     * pressures as they are, and then for the pressures,
+     *
+     *   K δx_0 = r_0,   S δx_1 = r_1 − C δx_0,   S = H − C diag(K)⁻¹ Q,   r the residual of the system,
+     *
+     * and GMRES makes the best of the sweeps: they are its preconditioner, see solve_by_scaled_gmres(). K and S are those
+     * of an earlier system of the same pattern as long as few sweeps suffice with them.
+     *
+     * @return number of sweeps.
+     * @throws RunError if they do not converge.
+     */
+    unsigned int solve_in_two_steps(const BlockSystem<dim> &system, const IncrementScales &scales,
+                                    Vector &solution);
+
+    /// Take K and S from @p system as it is now.
+    virtual void start_blocks(const BlockSystem<dim> &system) = 0;
+
+    /// Solve K x = @p right_hand_side (@p b = 0) or S x = @p right_hand_side (1) with K and S of start_blocks().
+    virtual void solve_block(const unsigned int b, const BlockVector &right_hand_side,
+                             BlockVector &solution) = 0;
 
     /// Forget all earlier systems, so that what follows does not depend on them.
-    virtual void forget() = 0;
+    virtual void forget();
 
     static void declare_parameters(Parameters &prm);
     static std::unique_ptr<LinearSolver> create(Parameters &prm);
+
+  private:
+    unsigned int blocks_pattern = 0; ///< of the system that K and S are of, 0 if there is none
   };
 } // namespace Lahar
 

@@ -3,7 +3,6 @@
 #ifndef lahar_simulator_nonlinear_scheme_h
 #define lahar_simulator_nonlinear_scheme_h
 
-#include <lahar/simulator/anderson_acceleration.h>
 #include <lahar/simulator/step_problem.h>
 
 #include <memory>
@@ -24,16 +23,17 @@ namespace Lahar
   };
 
   /**
-   * Solves the nonlinear problem of a step until ‖δv‖/‖v‖ and ‖δp‖/‖p‖ are below the tolerance.
+   * Solves the nonlinear problem of a step until ‖δv‖/‖v‖ and ‖δp‖/‖p‖ are below the tolerance, by Newton's method: all
+   * derivatives are taken but for the viscosity's, which follows the chosen ViscosityLinearization. The derivatives of
+   * the geometry are left out while they would flatten cells or turn the increment uphill, and a step that overshoots is
+   * shortened by a line search; the work of the residual along the increment tells both.
    *
-   * - CoupledScheme: Newton's method on the whole system, all derivatives taken but for the viscosity's, which follows
-   *   the chosen ViscosityLinearization.
-   *   The derivatives of the geometry are left out while they would flatten cells or turn the increment uphill, and a step
-   *   that overshoots is shortened by a line search; the work of the residual along the increment tells both.
-   * - SegregatedScheme: K δv = −R_v, update of velocities and geometry, then S δp = −R_p with S = H − C diag(K)⁻¹ Q,
-   *   and AndersonAcceleration of this iteration. Franci & Zhang (2018) take H alone and make up for it by a pseudo
-   *   bulk modulus in K; with S no such parameter is needed. In plugs diag(K)⁻¹ says little about K⁻¹: only a part of
-   *   the viscosity enters it, and without the acceleration the iteration diverges there.
+   * - CoupledScheme finds the increments of velocity and pressure together.
+   * - SegregatedScheme finds the velocities' for given pressures, then the pressures', and corrects both in a few more
+   *   sweeps, see LinearSolver::solve_in_two_steps(). Franci & Zhang (2018) make one sweep for every assembly, with H alone
+   *   for the pressures and a pseudo bulk modulus in K to make up for it. With S no such parameter is needed, and without
+   *   plugs one sweep would do. In plugs diag(K)⁻¹ says little about K⁻¹; the corrections find the few directions in
+   *   which it does not.
    */
   template <int dim>
   class NonlinearScheme
@@ -53,10 +53,15 @@ namespace Lahar
     }
 
   protected:
-    using Linearization = typename StepProblem<dim>::Linearization;
+    /// Solve the assembled system for the increments. @return linear iterations.
+    virtual unsigned int find_increments(StepProblem<dim> &problem) const = 0;
 
+    /// Relative error of the increments that the iteration does not notice.
+    double negligible_error() const;
+
+  private:
     /// One iteration: assemble, solve, step. Enters in the report what it took.
-    virtual void iterate(StepProblem<dim> &problem, NonlinearReport &report) = 0;
+    void iterate(StepProblem<dim> &problem, NonlinearReport &report);
 
     /// Whether both increments are within the tolerance.
     bool is_converged(const NonlinearReport &report) const
@@ -64,16 +69,14 @@ namespace Lahar
       return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance;
     }
 
-    /// Relative error of the increments that the iteration does not notice.
-    double negligible_error() const;
-
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
     ViscosityLinearization viscosity_linearization(const StepProblem<dim> &problem) const;
 
-  private:
     ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
     double tolerance                 = 1e-4;
     unsigned int maximum_iterations  = 30;
+    bool motion             = true; ///< whether the Jacobian has the derivatives of the geometry in this step
+    double motion_increment = 0.;   ///< velocity increment below which they come back
   };
 
   /// See NonlinearScheme.
@@ -81,11 +84,10 @@ namespace Lahar
   class CoupledScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(StepProblem<dim> &problem, NonlinearReport &report) override;
-
-  private:
-    bool motion             = true; ///< whether the Jacobian has the derivatives of the geometry in this step
-    double motion_increment = 0.;   ///< velocity increment below which they come back
+    unsigned int find_increments(StepProblem<dim> &problem) const override
+    {
+      return problem.solve(this->negligible_error());
+    }
   };
 
   /// See NonlinearScheme.
@@ -93,10 +95,10 @@ namespace Lahar
   class SegregatedScheme : public NonlinearScheme<dim>
   {
   protected:
-    void iterate(StepProblem<dim> &problem, NonlinearReport &report) override;
-
-  private:
-    AndersonAcceleration acceleration{10};
+    unsigned int find_increments(StepProblem<dim> &problem) const override
+    {
+      return problem.solve(this->negligible_error(), true);
+    }
   };
 } // namespace Lahar
 

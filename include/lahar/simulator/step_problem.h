@@ -57,13 +57,11 @@ namespace Lahar
     void assemble(const Linearization &linearization);
 
     /**
-     * Solve the coupled system for the increments; errors of their norms below @p negligible do no harm.
-     * @return linear iterations.
+     * Solve the system for the increments, @p in_two_steps or coupled, see LinearSolver; errors of their norms below
+     * @p negligible do no harm.
+     * @return linear iterations or sweeps.
      */
-    unsigned int solve(const double negligible);
-
-    /// Solve for the velocities (@p b = 0) or the pressures (1) alone, see LinearSolver. The other increments are zero.
-    unsigned int solve_block(const unsigned int b);
+    unsigned int solve(const double negligible, const bool in_two_steps = false);
 
     /**
      * Move from the state in which the system was solved by @p length times the increments. Where simplices would
@@ -93,15 +91,6 @@ namespace Lahar
 
     /// How far the fastest particle of @p cloud moves in the step, over its spacing, and where it starts from, m.
     std::pair<double, Point<dim>> largest_movement(const ParticleCloud<dim> &cloud) const;
-
-    /// Velocities of this rank's nodes, then their pressures.
-    Vector<double> unknowns() const;
-
-    /// For each of unknowns() one over the norm of the velocities or pressures.
-    Vector<double> unknown_weights() const;
-
-    /// Set velocities, pressures and geometry. @return false, with nothing changed, if a simplex would be inverted.
-    bool set_unknowns(const Vector<double> &unknowns);
 
     /**
      * δv·R_v + δp·R_p of the last assembled residual, in W. For the increments of Newton's method and C = −Qᵀ it is
