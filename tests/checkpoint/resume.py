@@ -231,7 +231,7 @@ def test_damaged(parent):
             ("truncated", good[:middle], "bytes of data"), ("cut in its header", good[:30], "truncated or corrupted"),
             ("with a byte changed", flipped, "checksum is wrong"), ("empty", b"", "is no checkpoint"),
             ("foreign", b"something else\n" * 100, "is no checkpoint"),
-            ("of an older format", good.replace(b"version 3", b"version 2", 1), "format version 2"),
+            ("of an older format", good.replace(b"version 4", b"version 3", 1), "format version 3"),
             ("too long", good + b"x", "bytes of data")]:
         with open(state, "wb") as file:
             file.write(data)
