@@ -10,7 +10,7 @@ namespace Lahar
   namespace
   {
     /// Depth below which what touches has not run into each other, over the size of the contour's facets.
-    constexpr double tolerated_depth = 0.5;
+    constexpr double tolerated_depth = 0.1;
 
     template <int dim>
     Point<dim> meeting(const Walls<dim> &walls, const unsigned int facet, const Point<dim> &a,
@@ -18,6 +18,21 @@ namespace Lahar
     {
       const double before = walls.signed_distance(facet, a), after = walls.signed_distance(facet, b);
       return a + before / (before - after) * (b - a);
+    }
+
+    /// Whether corners of @p facet lie farther than @p depth before and behind the plane of a wall's facet.
+    template <int dim>
+    bool lies_on_both_sides(const WallFacet<dim> &facet, const Walls<dim> &walls, const unsigned int wall,
+                            const double depth)
+    {
+      double lowest = 0., highest = 0.;
+      for (const Point<dim> &corner : facet.corners)
+      {
+        const double distance = walls.signed_distance(wall, corner);
+        lowest                = std::min(lowest, distance);
+        highest               = std::max(highest, distance);
+      }
+      return lowest < -depth && highest > depth;
     }
 
     /// The edges of facets as pairs of their corners: a facet of the plane is one itself.
@@ -86,7 +101,8 @@ namespace Lahar
         const auto &corners = walls.facets()[wall].corners;
         const Point<dim> &a = corners[e], &b = corners[(e + 1) % dim];
         for (const unsigned int f : contour.crossed(a, b, depth, -depth))
-          return Place{meeting(contour, f, a, b), mesh.body_of_node(mesh.contour()[f][0]), wall, 0};
+          if (lies_on_both_sides<dim>(facets[f], walls, wall, depth))
+            return Place{meeting(contour, f, a, b), mesh.body_of_node(mesh.contour()[f][0]), wall, 0};
       }
     for (unsigned int i = 0; i < mesh.n_contour_nodes(); ++i)
       for (const unsigned int wall : walls.crossed(old_position[i], position[i], depth, 0.))

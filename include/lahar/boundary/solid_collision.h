@@ -17,8 +17,9 @@ namespace Lahar
    * A solid has run into a wall where an edge of its contour passes through a facet of the wall or an edge of the wall
    * through a facet of the contour, or where the path of one of its nodes in the last step did; into a solid where an edge
    * of one contour passes through a facet of the other that it shares no node with. Both ends of an edge or path must lie
-   * more than half of the facets' size off the facet, and a wall's edge must pass that far from the facet's rim: solids
-   * may touch walls, and the edge of one that bends above a floor may dip into it a little.
+   * more than a tenth of the facets' size off the facet, and a wall's edge must pass that far from the facet's rim,
+   * whose corners lie that far before and behind the wall: solids may touch walls, and the edge of one that bends above a
+   * floor may dip into it a little.
    */
   template <int dim>
   class SolidCollision
