@@ -28,7 +28,7 @@ def compare_impacts(check):
         times = coupled["Time (s)"]
         difference = np.abs(coupled[column] - np.interp(times, segregated["Time (s)"], segregated[column])).max()
         check.below(f"{column} at an impact, largest difference over the mesh size", difference / mesh_size, 1.)
-    check.below("repeated steps of the segregated scheme", segregated["Rejected steps"].sum(), 0.)
+    check.below("repeated steps of the segregated scheme", segregated["Rejected steps"].max(), 0.)
     check.below("its iterations over those of the coupled scheme",
                 segregated["Nonlinear iterations"].sum() / coupled["Nonlinear iterations"].sum(), 1.5)
     check.below("volume change by its solver", np.abs(segregated["Volume change by solver"]).max(), 1e-5)
