@@ -1,0 +1,32 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The account of the volume where fluid breaks up, merges, lands and is moved: the solver keeps it to 1e-4 at every
+moment, remeshing to 0.5 % of the volume; where whole films and drops of a few cells come and go, to 1 %.
+
+    volume.py --lahar PROGRAM --output DIRECTORY [--cases NAME ...]
+"""
+
+import sys
+
+from verification import Check, read_run, run_check, volume_changes
+
+# Largest change by remeshing that is allowed.
+CASES = {"merging_drops": 0.01, "drum": 0.01, "sloshing": 0.005, "elastic_gate": 0.005, "perforated_plate": 0.005}
+names = ["merging_drops", "drum", "sloshing"]
+if "--cases" in sys.argv:
+    at = sys.argv.index("--cases")
+    names = sys.argv[at + 1:]
+    del sys.argv[at:]
+
+
+def main():
+    check = Check(__doc__)
+    for name in names:
+        statistics = read_run(check.run(f"volume/{name}.prm"))
+        solver, remeshing = volume_changes(statistics)
+        check.below(f"{name}, volume change by the solver", solver, 1e-4)
+        check.below(f"{name}, volume change by remeshing", remeshing, CASES[name])
+    check.finish()
+
+
+run_check(main)
