@@ -15,11 +15,9 @@ namespace Lahar
    *   q_c = ∇p + ρ g − ρ ā   in a cell, −div s in the exact solution,
    *   π_I = Σ_c V_c q_c / Σ_c V_c   over the cells at vertex I, the projection with the lumped mass matrix,
    *
-   * shortened to 2 max_c max(|s_c|, τ0)/h_c where it is longer, h_c the edge of the equilateral simplex of the cell's
-   * volume: a stress that changes its sign across a cell has no larger divergence. What impacts leave in pressures and
-   * accelerations is thus not taken for a stress, and π vanishes where there is no stress. The strain rate says nothing of
-   * the stress of a plug that has only just come to rest or been made; it may be anything up to the yield stress τ0, and
-   * without its divergence in π a body that should stand would flow at a speed in proportion to the time step.
+   * shortened to 2 max_c |s_c|/h_c where it is longer, h_c the edge of the equilateral simplex of the cell's volume: a
+   * stress that changes its sign across a cell has no larger divergence. What impacts leave in pressures and
+   * accelerations is thus not taken for a stress, and π vanishes where there is no stress.
    *
    * Stabilisation with q − π: orthogonal subgrid scales, R. Codina, Comput. Methods Appl. Mech. Engrg. 190 (2000)
    * 1579–1599.
