@@ -299,7 +299,8 @@ namespace Lahar
     n_kept_out += count_on_ranks(
       SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
     slip_condition.update(old_position, particles);
-    VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
+    if (remesher.keeps_volume())
+      VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
     fluid_mesh.move(particles);
     n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());

@@ -40,6 +40,12 @@ namespace Lahar
       std::vector<bool> arrives; ///< by vertex: whether it is a corner of a cell that was no fluid before
     };
 
+    /// Whether changes of volume are taken back, see VolumeCorrection.
+    bool keeps_volume() const
+    {
+      return keep_volume;
+    }
+
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
