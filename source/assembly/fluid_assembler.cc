@@ -11,6 +11,17 @@ namespace Lahar
 {
   namespace
   {
+    /// τ_s ρ|g| over the speed of a cell whose fluid is stiff enough to do with less.
+    constexpr double largest_leak = 4.;
+
+    /// In m/s: below it a cell is at rest.
+    constexpr double smallest_speed = 1e-30;
+  } // namespace
+
+
+
+  namespace
+  {
     /// Cells that keep less than this part of their volume in the step leave the derivatives of their geometry out.
     constexpr double smallest_volume_ratio = 0.7;
   } // namespace
@@ -29,9 +40,9 @@ namespace Lahar
       "fluid at rest drives no flow).");
     prm.declare_entry(
       "Viscosity limit", "0.1", Patterns::Anything(),
-      "Largest viscosity in Pa s that enters the stabilisation parameter, zero or above. The effective "
-      "viscosity of a plug would switch the stabilisation off. With the forms other than 'projected residual' and a low "
-      "limit fluid that comes to rest creeps, in proportion to the time step.");
+      "Largest viscosity in Pa s that enters the stabilisation parameter where the fluid moves, zero or above. The "
+      "effective viscosity of a plug would slow down the nonlinear iteration. Where fluid stands there is no limit, "
+      "so that it does not creep in proportion to the time step.");
     prm.leave_subsection();
   }
 
@@ -88,10 +99,18 @@ namespace Lahar
     {
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
-      const double edge = cell.edge();
-      const double mu   = std::min(law.effective_viscosity(cell.strain_rate).value, viscosity_limit);
+      const double edge    = cell.edge();
+      const double mu_eff  = law.effective_viscosity(cell.strain_rate).value;
+      const double mu      = std::min(mu_eff, viscosity_limit);
+      const double inertia = 2. * law.density() / state.time_step;
+      double speed         = 0.;
+      for (const Tensor<1, dim> &v : cell.velocity)
+        speed = std::max(speed, v.norm());
+      const double slowest = (law.density() * gravity).norm() /
+                             (largest_leak * std::max(speed, smallest_speed));
       state.stabilization_viscosity[c] = mu;
-      state.stabilization[c] = 1. / (8. * mu / (edge * edge) + 2. * law.density() / state.time_step);
+      state.stabilization[c]           = 1. / std::max(8. * mu / (edge * edge) + inertia,
+                                                       std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
     }
 
     state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());

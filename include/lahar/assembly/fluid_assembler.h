@@ -33,9 +33,14 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Set τ_s of all cells for a step, τ_s = (8 μ/h² + 2 ρ/Δt)^{-1}, h the edge of the equilateral simplex of the
-     * cell's volume and μ the smaller of μ_eff and the limit given as parameter, both at the start of the step; and π,
-     * see ResidualProjection, of the start of the step. No cell is left out.
+     * Set τ_s of all cells for a step, and π of its start, see ResidualProjection. No cell is left out.
+     *
+     *   τ(μ) = (8 μ/h² + 2 ρ/Δt)^{-1},   τ_s = min(τ(min(μ_eff, μ_limit)), max(τ(μ_eff), 4 |v|/(ρ|g|))),
+     *
+     * h the edge of the equilateral simplex of the cell's volume, |v| the largest speed of its corners, μ_limit a
+     * parameter, all at the start of the step. τ_s |q − π| is the velocity at which the stabilisation lets fluid pass
+     * through its own pressure gradient, and q − π a few hundredths of ρ g: so a plug that moves has a τ_s that keeps its
+     * pressure smooth, one that stands leaks by less than it creeps.
      */
     void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
                            FluidState<dim> &state) const;
