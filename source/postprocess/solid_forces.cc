@@ -40,13 +40,11 @@ namespace Lahar
     for (unsigned int i = 0; i < mesh.n_nodes(); ++i)
       by_support[mesh.body_of_node(i)] += solids.state().reaction[i];
     for (unsigned int b = 0; b < n; ++b)
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        const std::string name = solids.all_bodies()[b].name;
-        add_to_column(statistics, name + " fluid force " + "xyz"[d] + " (N)", by_fluid[b][d]);
-        add_to_column(statistics, name + " support force " + "xyz"[d] + " (N)",
-                      by_support[b][d] - by_fluid[b][d]);
-      }
+    {
+      const std::string &name = solids.all_bodies()[b].name;
+      add_force_columns(statistics, snapshot, name, "fluid force", by_fluid[b]);
+      add_force_columns(statistics, snapshot, name, "support force", by_support[b] - by_fluid[b]);
+    }
   }
 
 

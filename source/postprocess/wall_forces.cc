@@ -55,8 +55,8 @@ namespace Lahar
             box.contains(snapshot.cloud.position[particle], 0.))
           force -= snapshot.cloud.reaction[particle];
       }
-      for (unsigned int d = 0; d < dim; ++d)
-        add_to_column(statistics, name + " force " + "xyz"[d] + " (N)", snapshot.sum_of_ranks(force[d]));
+      add_force_columns(statistics, snapshot, name, "force",
+                        Utilities::MPI::sum(force, snapshot.communicator()));
     }
   }
 

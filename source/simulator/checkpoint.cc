@@ -42,6 +42,7 @@ namespace Lahar
     }
     archive &time &step_number &n_rejected &n_forced_facets &n_kept_out &n_left;
     archive &initial_volume &volume &change_by_solver &change_by_remeshing &left_volume;
+    archive &momentum &means;
     archive &*step_control &*visualization;
     archive &last_output_time &statistics_size &convergence_size &earlier_wall_time;
   }

@@ -54,6 +54,7 @@ namespace Lahar
     time = parameters.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     initial_volume = volume = fluid_volume();
+    momentum.set(fluid_momentum());
     warn_of_coarse_mesh();
   }
 

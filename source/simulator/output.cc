@@ -66,14 +66,15 @@ namespace Lahar
   void Simulator<dim>::write_snapshot()
   {
     visualization->write(snapshot());
+    means.restart();
   }
 
 
 
   template <int dim>
-  Snapshot<dim> Simulator<dim>::snapshot() const
+  Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh, *law, gravity, solids, migration, time};
+    return {particles, fluid_mesh, *law, gravity, solids, migration, means, time};
   }
 
 
@@ -110,6 +111,9 @@ namespace Lahar
       line.add_value("Particles left the domain", n_left);
       add_to_column(line, "Volume left the domain", left_volume);
     }
+    if (geometry.has_fluid())
+      momentum.add_columns(line);
+    means.start_step(time_step);
     for (const auto &postprocessor : postprocessors)
       postprocessor->evaluate(snapshot(), line);
     add_to_column(line, "Wall time (s)", progress->wall_time());
@@ -163,8 +167,8 @@ namespace Lahar
   template void Simulator<3>::advance_output_time();
   template void Simulator<2>::write_snapshot();
   template void Simulator<3>::write_snapshot();
-  template Snapshot<2> Simulator<2>::snapshot() const;
-  template Snapshot<3> Simulator<3>::snapshot() const;
+  template Snapshot<2> Simulator<2>::snapshot();
+  template Snapshot<3> Simulator<3>::snapshot();
   template void Simulator<2>::add_statistics(const double, const NonlinearReport &);
   template void Simulator<3>::add_statistics(const double, const NonlinearReport &);
 } // namespace Lahar

@@ -162,6 +162,15 @@ namespace Lahar
 
 
   template <int dim>
+  Tensor<1, dim> Simulator<dim>::fluid_momentum() const
+  {
+    return MomentumAccount<dim>::compute(fluid_mesh, particles, law->density(), time_integration,
+                                         communicator);
+  }
+
+
+
+  template <int dim>
   unsigned int Simulator<dim>::count_on_ranks(const unsigned int n) const
   {
     return Utilities::MPI::sum(n, communicator);
@@ -225,6 +234,7 @@ namespace Lahar
       const double volume_inside = fluid_volume();
       left_volume += (volume - volume_inside) / initial_volume;
       volume = volume_inside;
+      momentum.set(fluid_momentum());
     }
     migrate();
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
@@ -242,6 +252,7 @@ namespace Lahar
     const double new_volume = fluid_volume();
     change_by_remeshing += (new_volume - volume) / initial_volume;
     volume = new_volume;
+    momentum.changed(fluid_momentum());
     if (count_on_ranks(fluid_mesh.n_cells()) == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated or have left the domain.");
@@ -287,6 +298,7 @@ namespace Lahar
       const double new_volume = fluid_volume();
       change_by_solver += (new_volume - volume) / initial_volume;
       volume = new_volume;
+      momentum.set(fluid_momentum());
     }
 
     const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(fluid_mesh, particles);
@@ -303,6 +315,8 @@ namespace Lahar
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
     fluid_mesh.move(particles);
+    if (geometry.has_fluid())
+      momentum.changed(fluid_momentum());
     n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
   }
 

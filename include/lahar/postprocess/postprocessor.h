@@ -8,6 +8,7 @@
 #include <lahar/boundary/walls.h>
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
+#include <lahar/postprocess/time_means.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
 #include <lahar/solid/solids.h>
@@ -32,6 +33,7 @@ namespace Lahar
     const Tensor<1, dim> &gravity;
     const Solids<dim> &solids;
     const Migration<dim> &migration;
+    TimeMeans &means; ///< since the last snapshot
     double time = 0.;
 
     const MPI_Comm &communicator() const
@@ -68,6 +70,12 @@ namespace Lahar
     static void declare_all(Parameters &prm);
     static std::vector<std::unique_ptr<Postprocessor>> create_all(Parameters &prm);
   };
+
+  /// Add the columns '@p what x (N)' … of a step's mean @p force (N), the same on all ranks, and 'mean @p what x (N)' … of
+  /// its mean since the last snapshot, both behind @p whose.
+  template <int dim>
+  void add_force_columns(TableHandler &statistics, const Snapshot<dim> &snapshot, const std::string &whose,
+                         const std::string &what, const Tensor<1, dim> &force);
 
   /// Add one number to a column that is printed with nine digits.
   void add_to_column(TableHandler &statistics, const std::string &column, const double value);

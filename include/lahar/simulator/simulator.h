@@ -18,6 +18,7 @@
 #include <lahar/remeshing/domain_limit.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/remesher.h>
+#include <lahar/simulator/momentum_account.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/step_control.h>
@@ -92,6 +93,8 @@ namespace Lahar
     unsigned int count_on_ranks(const unsigned int n) const;
     /// Of the cells, and what isolated particles carry, on all ranks.
     double fluid_volume() const;
+    /// See MomentumAccount.
+    Tensor<1, dim> fluid_momentum() const;
     void remesh(const double time_step);
     /// Largest ratio of speed and spacing in the mesh, 1/s.
     double fastest_movement() const;
@@ -111,7 +114,7 @@ namespace Lahar
     void add_statistics(const double time_step, const NonlinearReport &report);
     /// Say once when the account of the volume has passed one percent.
     void warn_of_volume();
-    Snapshot<dim> snapshot() const;
+    Snapshot<dim> snapshot();
 
     void start_output();
     void advance_output_time();
@@ -154,6 +157,8 @@ namespace Lahar
                  n_cells  = 0; ///< of the fluid, on all ranks
     double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.,
            left_volume = 0.;
+    MomentumAccount<dim> momentum;
+    TimeMeans means;                          ///< since the last snapshot
     typename Remesher<dim>::Report remeshing; ///< the last one
 
     std::vector<std::string> warnings;

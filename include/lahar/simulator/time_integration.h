@@ -91,6 +91,13 @@ namespace Lahar
               a};
     }
 
+    /// u = v − (γ − 1) Δt a, which steps of one length change by Δt a; with γ = 3/2 it is w.
+    template <int dim>
+    Tensor<1, dim> carried_velocity(const Tensor<1, dim> &v, const Tensor<1, dim> &a) const
+    {
+      return v - ((gamma - 1.) * time_step) * a;
+    }
+
     /**
      * The force that goes with a as @p force at the end of the step goes with dv/dt, F̄ = (F − α F̄_n)/(1 − α). With
      * γ = 3/2, where a = (w − w_n)/Δt, it is the mean of the force from the middle of the last step to that of this one:

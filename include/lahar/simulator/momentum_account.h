@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_simulator_momentum_account_h
+#define lahar_simulator_momentum_account_h
+
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/simulator/time_integration.h>
+
+namespace Lahar
+{
+  /**
+   * The momentum of the fluid in the mesh, N s (N s/m in 2D), and what changes it without a force: new cells, particles
+   * that are inserted, removed or stopped at walls and solids, cells that are dropped.
+   *
+   *   P = ∫ ρ u,   u = v − (γ − 1) Δt a,
+   *
+   * linear in each cell, with γ, Δt and a of the TimeIntegration: u is what the mean forces F̄ change, Δu = Δt a, in steps
+   * of the same length. With γ = 3/2 it is the mean velocity w of the step. So, with F̄ of all walls and solids,
+   *
+   *   P(N) − P(0) = Σ (∫ ρ g − F̄) Δt + change by remeshing,
+   *
+   * where the first step, in which the acceleration is constant, counts half for γ = 3/2.
+   */
+  template <int dim>
+  class MomentumAccount
+  {
+  public:
+    /// Forces have led to @p value, or fluid has left.
+    void set(const Tensor<1, dim> &value)
+    {
+      momentum = value;
+    }
+
+    /// Remeshing or a stop has.
+    void changed(const Tensor<1, dim> &value)
+    {
+      change_by_remeshing += value - momentum;
+      momentum = value;
+    }
+
+    /// P of all ranks. Collective.
+    static Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                                  const double density, const TimeIntegration &integration,
+                                  const MPI_Comm &communicator);
+
+    /// Columns 'Momentum x (N s)' … and 'Momentum change by remeshing x (N s)' ….
+    void add_columns(TableHandler &statistics) const;
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &momentum &change_by_remeshing;
+    }
+
+  private:
+    Tensor<1, dim> momentum, change_by_remeshing;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/simulator/momentum_account.h>
+
+namespace Lahar
+{
+  template <int dim>
+  Tensor<1, dim> MomentumAccount<dim>::compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                                               const double density, const TimeIntegration &integration,
+                                               const MPI_Comm &communicator)
+  {
+    Tensor<1, dim> momentum;
+    for (const Simplex<dim> &cell : mesh.particle_cells())
+      if (cloud.is_own(cell))
+      {
+        Tensor<1, dim> sum;
+        for (const unsigned int i : cell)
+          sum += integration.carried_velocity(cloud.velocity[i], cloud.algorithmic_acceleration[i]);
+        momentum += density * signed_volume<dim>(corners_of<dim>(cell, cloud.position)) / (dim + 1) * sum;
+      }
+    return Utilities::MPI::sum(momentum, communicator);
+  }
+
+
+
+  template <int dim>
+  void MomentumAccount<dim>::add_columns(TableHandler &statistics) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      add_to_column(statistics, std::string("Momentum ") + "xyz"[d] + " (N s)", momentum[d]);
+    for (unsigned int d = 0; d < dim; ++d)
+      add_to_column(statistics, std::string("Momentum change by remeshing ") + "xyz"[d] + " (N s)",
+                    change_by_remeshing[d]);
+  }
+
+
+
+  template class MomentumAccount<2>;
+  template class MomentumAccount<3>;
+} // namespace Lahar

@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Forces of the fluid: at rest the walls carry its weight; in a dam break against an elastic barrier all forces, the
+weight and the account of what remeshing changes sum up to the change of momentum; columns of means are the means.
+"""
+
+import numpy as np
+
+from verification import Check, read_pvd, read_run, run_check
+
+GRAVITY, DENSITY = 9.81, 1000.
+
+
+def columns(statistics, text, directions="xy"):
+    return np.array([statistics[text % d] for d in directions])
+
+
+def check_rest(check):
+    statistics = read_run(check.run("hydrostatic_column/newtonian_no_slip.prm",
+                                    "Postprocess/Wall forces/Boxes=all: -1, -1 : 1, 1"))
+    force = columns(statistics, "all force %s (N)")
+    weight = DENSITY * GRAVITY * statistics["Fluid volume (m^dim)"]
+    check.below("rest, force on all walls less the weight, over it", np.abs(force[1] / -weight - 1.).max(), 1e-8)
+    check.below("rest, force along x over the weight", np.abs(force[0] / weight).max(), 1e-8)
+
+
+def check_dam_break(check):
+    directory = check.run("forces/dam_break.prm")
+    statistics = read_run(directory)
+    time, step = statistics["Time (s)"], statistics["Time step size (s)"]
+    check.below("dam break, difference of the steps' lengths", np.ptp(step), 1e-12)
+    walls = columns(statistics, "walls force %s (N)")
+    barrier = columns(statistics, "Solid 1 fluid force %s (N)")
+    volume = np.r_[statistics["Fluid volume (m^dim)"][0], statistics["Fluid volume (m^dim)"]]
+    weight = np.array([np.zeros(len(time)), -DENSITY * GRAVITY * 0.5 * (volume[1:] + volume[:-1])])
+    # The momentum is that in the middle of the step.
+    count = np.r_[0.5, np.ones(len(time) - 1)]
+    impulse = np.cumsum((weight - walls - barrier) * step * count, axis=1)
+    momentum = columns(statistics, "Momentum %s (N s)")
+    by_remeshing = columns(statistics, "Momentum change by remeshing %s (N s)")
+    # Where fluid lands the mean forces come up to a step late.
+    of_a_step = (np.abs(walls + barrier) * step).max()
+    error = np.abs(momentum - impulse - by_remeshing).max(axis=1) / of_a_step
+    print(f"  momentum at most {np.abs(momentum).max():.4g} N s, impulse of a step at most {of_a_step:.3g} N s, by remeshing x {by_remeshing[0][-1]:.4g}, y {by_remeshing[1][-1]:.4g} N s, "
+          f"impulse on the barrier {(barrier[0] * step).sum():.4g} N s")
+    for d in range(2):
+        check.below(f"dam break, momentum less impulses and remeshing along {'xy'[d]} over a step's impulse", error[d], 0.5)
+    check.below("dam break, pull on the barrier over the largest force", -barrier[0].min() / barrier[0].max(), 0.01)
+
+    # The mean since the last snapshot, at the snapshots.
+    outputs = [t for t, _ in read_pvd(directory / "solution.pvd")]
+    total = np.r_[0., np.cumsum(barrier[0] * step)]
+    at = [0] + [int(np.argmin(abs(time - t))) + 1 for t in outputs[1:]]
+    means = np.array([(total[b] - total[a]) / (time[b - 1] - (time[a - 1] if a else 0.)) for a, b in zip(at, at[1:])])
+    given = statistics["Solid 1 mean fluid force x (N)"][np.array(at[1:]) - 1]
+    check.below("dam break, mean columns at the snapshots over the largest", np.abs(given - means).max() / np.abs(means).max(),
+                1e-7)
+
+
+def main():
+    check = Check(__doc__)
+    check_rest(check)
+    check_dam_break(check)
+    check.finish()
+
+
+run_check(main)
