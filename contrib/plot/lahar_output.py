@@ -238,12 +238,26 @@ class DataReader:
 # --------------------------------------------------------------------------------------------------------- walls
 
 
-def read_walls(path):
-    """The walls that a run's parameters.prm draws as polylines (walls from a mesh file are not among them)."""
-    walls = []
-    for name in ("No-slip walls", "Slip walls"):
-        walls += parse_walls(read_parameter(path, ["Geometry"], name))
-    return walls
+def read_walls(directory):
+    """The walls of a run in the plane as polylines, from its walls.vtu; none if there is no such file."""
+    path = pathlib.Path(directory) / "walls.vtu"
+    if not path.is_file():
+        return []
+    root = parse_xml(path)
+    try:
+        piece = next(root.iter("Piece"))
+        points = DataReader(root).read(piece.find("Points/DataArray")).reshape(-1, 3)[:, :2].astype(float)
+        cells = {entry.get("Name"): entry for entry in piece.find("Cells")}
+        segments = points[DataReader(root).read(cells["connectivity"])].reshape(-1, 2, 2)
+    except (StopIteration, ValueError, KeyError, AttributeError, TypeError, zlib.error) as error:
+        raise OutputError(f"{path}: cannot read these walls ({error})") from None
+    lines = []
+    for start, end in segments:
+        if lines and np.array_equal(lines[-1][-1], start):
+            lines[-1].append(end)
+        else:
+            lines.append([start, end])
+    return [Wall(np.array(line)) for line in lines]
 
 
 def parse_walls(text):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Views of runs in space: the fluid's surface coloured by speed, solids in one colour, at several times side by side.
+"""Views of runs in space: the fluid's surface coloured by speed, solids in one colour, walls transparent, at several
+times side by side.
 
     contrib/plot/render.py output-mini-cone --times 0 0.1 5 --to cone.png
     contrib/plot/render.py output-dam-break-elastic-3d --cut y=0.04 --to half.png    # what lies behind a plane
@@ -18,6 +19,7 @@ from lahar_output import OutputError, nearest_snapshots, read_pvd, run_script
 from vtk_output import load_vtk, read_joined
 
 SOLID = (0.84, 0.37, 0.)
+WALL = (0.35, 0.35, 0.38)
 VIEW_ANGLE = 21.  # degrees
 HEIGHT = 0.8  # of a view over its width
 
@@ -83,6 +85,29 @@ def read_surface(vtk, path, cut, feature_angle=50.):
     return normals.GetOutput()
 
 
+def read_walls(vtk, path, scene):
+    """The walls as far as they stand in the scene's box, slightly enlarged; None if the run has none."""
+    if not path.is_file():
+        return None
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(read_joined(vtk, path))
+    surface.Update()
+    data = surface.GetOutput()
+    for d in range(3):
+        for sign in (-1., 1.):
+            normal = np.zeros(3)
+            normal[d] = -sign
+            plane = vtk.vtkPlane()
+            plane.SetOrigin(*(scene.centre + sign * (0.5 * scene.size + 0.05 * scene.extent)))
+            plane.SetNormal(*normal)
+            clip = vtk.vtkClipPolyData()
+            clip.SetInputData(data)
+            clip.SetClipFunction(plane)
+            clip.Update()
+            data = clip.GetOutput()
+    return data
+
+
 class Scene:
     """What all views share: centre, size, direction of view and colours."""
 
@@ -91,7 +116,7 @@ class Scene:
         bounds = np.array([surface.GetBounds() for surface in surfaces])
         lower, upper = bounds[:, 0::2].min(axis=0), bounds[:, 1::2].max(axis=0)
         self.floor, self.centre, self.extent = lower[2], 0.5 * (lower + upper), (upper - lower).max()
-        self.direction = direction_of_view(arguments)
+        self.size, self.direction = upper - lower, direction_of_view(arguments)
         # The half height that holds the corners of the box around everything, as the camera sees them.
         azimuth = np.radians(arguments.azimuth)
         right = np.array([np.cos(azimuth), np.sin(azimuth), 0.])
@@ -124,6 +149,16 @@ class Scene:
         actor = self.vtk.vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetColor(*SOLID)
+        return actor
+
+    def walls(self, surface):
+        mapper = self.vtk.vtkPolyDataMapper()
+        mapper.SetInputData(surface)
+        mapper.ScalarVisibilityOff()
+        actor = self.vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*WALL)
+        actor.GetProperty().SetOpacity(0.25)
         return actor
 
     def floor_plane(self):
@@ -216,6 +251,7 @@ def main():
     solids = {time: read_surface(vtk, path, cut, 20.) for time, path in read_pvd(arguments.output / "solution.pvd", 1)
               if time in [time for time, _ in chosen]}
     scene = Scene(vtk, surfaces + list(solids.values()), arguments)
+    walls = read_walls(vtk, arguments.output / "walls.vtu", scene)
 
     n_columns = arguments.columns or len(chosen)
     n_rows = -(-len(chosen) // n_columns)
@@ -233,6 +269,8 @@ def main():
         if time in solids:
             renderer.AddActor(scene.solid(solids[time]))
         renderer.AddActor(scene.floor_plane())
+        if walls is not None:
+            renderer.AddActor(scene.walls(walls))
         renderer.AddActor2D(scene.label(f"t = {time:g} s", (12, height - 32)))
         if i == len(chosen) - 1:
             renderer.AddActor2D(scene.colour_bar())

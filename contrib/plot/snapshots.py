@@ -5,7 +5,7 @@
     snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed
     snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
-Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run's parameters.prm, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
+Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run's walls.vtu, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
 starts is a solid body, or the tank of fluid inside it.
 """
 
@@ -39,7 +39,7 @@ def parse_arguments():
     parser.add_argument("--labels", nargs="+", metavar="TEXT", help="what the runs are called")
     parser.add_argument("--field", default="speed", help="speed, or a field of the VTU files (default: %(default)s)")
     parser.add_argument("--log", action="store_true", help="logarithmic colours")
-    parser.add_argument("--walls", help="draw these walls instead of those in parameters.prm")
+    parser.add_argument("--walls", help="draw these walls instead of the run's")
     parser.add_argument("--limits", type=float, nargs=4, metavar=("X0", "X1", "Y0", "Y1"), help="the part drawn, in m")
     parser.add_argument("--columns", type=int, help="panels side by side (default: by the shape of the flow)")
     return parser.parse_args()
@@ -222,7 +222,7 @@ class Snapshots:
         chosen = choose_snapshots(directory, arguments.times)
         self.times = [time for time, _ in chosen]
         self.meshes = [read_vtu(path) for _, path in chosen]
-        self.walls = parse_walls(arguments.walls) if arguments.walls else read_walls(directory / "parameters.prm")
+        self.walls = parse_walls(arguments.walls) if arguments.walls else read_walls(directory)
         solids = {time: path for time, path in read_pvd(directory / "solution.pvd", 1)}
         self.solids = [read_vtu(solids[time]) if time in solids else None for time in self.times]
 

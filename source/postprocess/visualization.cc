@@ -11,6 +11,7 @@
 #include <lahar/assembly/fluid_cell.h>
 #include <lahar/postprocess/solid_output.h>
 #include <lahar/postprocess/visualization.h>
+#include <lahar/postprocess/wall_output.h>
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/ranks.h>
@@ -21,6 +22,13 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    const std::string walls_file = "walls.vtu";
+  } // namespace
+
+
+
   template <int dim>
   Visualization<dim>::Visualization(const std::string &directory, const MPI_Comm &communicator)
     : directory(directory)
@@ -37,15 +45,30 @@ namespace Lahar
       records.push_back({snapshot.time, 0, fluid_file});
     if (!snapshot.solids.empty())
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
+    if (has_walls)
+      records.push_back({snapshot.time, 2, walls_file});
     on_first_rank(communicator, [&] {
       if (!snapshot.solids.empty())
       {
         const SolidOutput<dim> output(snapshot.solids);
-        write_atomically(directory + "/" + records.back().file_name,
+        write_atomically(directory + "/solid" + number + ".vtu",
                          [&](std::ostream &file) { output.write_vtu(file); });
       }
       write_records();
     });
+  }
+
+
+
+  template <int dim>
+  void Visualization<dim>::write_walls(const Walls<dim> &walls)
+  {
+    has_walls = !walls.facets().empty();
+    if (has_walls)
+      on_first_rank(communicator, [&] {
+        write_atomically(directory + "/" + walls_file,
+                         [&](std::ostream &file) { write_walls_vtu(walls, file); });
+      });
   }
 
 

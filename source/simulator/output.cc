@@ -46,6 +46,7 @@ namespace Lahar
       convergence.begin();
       convergence.append("# step, time (s), iteration, relative increments of velocity and pressure\n");
     });
+    visualization->write_walls(walls);
     visualization->write(snapshot());
     last_output_time = parameters.start_time;
   }

@@ -16,7 +16,8 @@ namespace Lahar
 {
   /**
    * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView. Solids have
-   * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part.
+   * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part, and rigid walls, which
+   * stay, one file walls.vtu, the third part.
    *
    * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate,
    * effective_viscosity, yielded. On several ranks each writes a piece of the fluid, solution-NNNNN.R.vtu, and
@@ -33,11 +34,14 @@ namespace Lahar
     /// Collective. @throws RunError if a file cannot be written.
     void write(const Snapshot<dim> &snapshot);
 
+    /// Write walls.vtu, if there are walls, which are the same on all ranks. @throws RunError as above
+    void write_walls(const Walls<dim> &walls);
+
     /// What was written so far.
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &n_written &records;
+      archive &n_written &has_walls &records;
     }
 
   private:
@@ -45,7 +49,7 @@ namespace Lahar
     struct Record
     {
       double time;
-      unsigned int part; ///< 0: fluid, 1: solids
+      unsigned int part; ///< 0: fluid, 1: solids, 2: walls
       std::string file_name;
 
       template <typename Archive>
@@ -65,6 +69,7 @@ namespace Lahar
     std::string directory;
     MPI_Comm communicator;
     unsigned int n_written = 0;
+    bool has_walls         = false;
     std::vector<Record> records;
   };
 } // namespace Lahar
