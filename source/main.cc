@@ -7,6 +7,7 @@
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/assignment.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/plugins.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/version.h>
 
@@ -140,6 +141,22 @@ namespace
 
 
 
+  /// The plugins that the case names, by absolute names.
+  std::vector<std::string> find_plugins(const std::vector<Assignment> &assignments)
+  {
+    std::vector<std::string> names;
+    for (const Assignment &assignment : assignments)
+      if (assignment.path() == "Plugins")
+      {
+        names.clear();
+        for (const std::string &name : split_list(assignment.value, ';'))
+          names.push_back(assignment.absolute_name(name));
+      }
+    return names;
+  }
+
+
+
   /// How many solids the case counts or describes; what is wrong with the input shows later.
   unsigned int count_solids(const std::vector<Assignment> &assignments)
   {
@@ -207,6 +224,7 @@ namespace
     if (!parse(argc, argv, line))
       return 0;
     const std::vector<Assignment> assignments = read(line);
+    load_plugins(find_plugins(assignments));
     if (find_dimension(assignments) == 2)
       run<2>(line, assignments);
     else

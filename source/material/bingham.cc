@@ -54,5 +54,6 @@ namespace Lahar
 
 
 
-  static const Factory<FluidLaw>::Registration<Bingham> bingham("Bingham");
+  static const Factory<FluidLaw>::Registration<Bingham>
+    bingham("Bingham", "Plastic viscosity and a yield stress, regularised by Papanastasiou.");
 } // namespace Lahar

@@ -36,8 +36,8 @@ namespace Lahar
   {
     prm.enter_subsection("Fluid");
     prm.declare_entry("Law", "Bingham", Patterns::Anything(),
-                      "Constitutive law of the fluid: " + Factory<FluidLaw>::names() +
-                        ". Its parameters stand in the subsection of its name.");
+                      "Constitutive law of the fluid. " + Factory<FluidLaw>::descriptions() +
+                        " Its parameters stand in the subsection of its name.");
     Factory<FluidLaw>::declare_parameters(prm);
     prm.leave_subsection();
   }

@@ -60,5 +60,6 @@ namespace Lahar
 
 
 
-  static const Factory<SolidLaw>::Registration<Hypoelastic> hypoelastic("hypoelastic");
+  static const Factory<SolidLaw>::Registration<Hypoelastic>
+    hypoelastic("hypoelastic", "Jaumann rate of the Cauchy stress, linear in the rate of deformation.");
 } // namespace Lahar

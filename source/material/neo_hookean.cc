@@ -55,5 +55,6 @@ namespace Lahar
 
 
 
-  static const Factory<SolidLaw>::Registration<NeoHookean> neo_hookean("neo-Hookean");
+  static const Factory<SolidLaw>::Registration<NeoHookean> neo_hookean("neo-Hookean",
+                                                                       "Compressible, for large strains.");
 } // namespace Lahar

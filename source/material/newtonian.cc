@@ -29,5 +29,5 @@ namespace Lahar
 
 
 
-  static const Factory<FluidLaw>::Registration<Newtonian> newtonian("Newtonian");
+  static const Factory<FluidLaw>::Registration<Newtonian> newtonian("Newtonian", "A constant viscosity.");
 } // namespace Lahar

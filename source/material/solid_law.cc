@@ -8,8 +8,8 @@ namespace Lahar
   void SolidLaw::declare_parameters(Parameters &prm)
   {
     prm.declare_entry("Law", "hypoelastic", Patterns::Anything(),
-                      "Constitutive law of the solid: " + Factory<SolidLaw>::names() +
-                        ". Its parameters stand in the subsection of its name.");
+                      "Constitutive law of the solid. " + Factory<SolidLaw>::descriptions() +
+                        " Its parameters stand in the subsection of its name.");
     Factory<SolidLaw>::declare_parameters(prm);
   }
 

@@ -49,6 +49,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<Energies<2>> energies_2d("Energies");
-  static const Factory<Postprocessor<3>>::Registration<Energies<3>> energies_3d("Energies");
+  static const Factory<Postprocessor<2>>::Registration<Energies<2>>
+    energies_2d("Energies", "Kinetic and potential energy of the fluid.");
+  static const Factory<Postprocessor<3>>::Registration<Energies<3>>
+    energies_3d("Energies", "Kinetic and potential energy of the fluid.");
 } // namespace Lahar

@@ -199,6 +199,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<FluidExtents<2>> fluid_extents_2d("Fluid extents");
-  static const Factory<Postprocessor<3>>::Registration<FluidExtents<3>> fluid_extents_3d("Fluid extents");
+  static const Factory<Postprocessor<2>>::Registration<FluidExtents<2>>
+    fluid_extents_2d("Fluid extents", "How far the fluid reaches.");
+  static const Factory<Postprocessor<3>>::Registration<FluidExtents<3>>
+    fluid_extents_3d("Fluid extents", "How far the fluid reaches.");
 } // namespace Lahar

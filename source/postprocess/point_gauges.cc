@@ -116,6 +116,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<PointGauges<2>> point_gauges_2d("Point gauges");
-  static const Factory<Postprocessor<3>>::Registration<PointGauges<3>> point_gauges_3d("Point gauges");
+  static const Factory<Postprocessor<2>>::Registration<PointGauges<2>>
+    point_gauges_2d("Point gauges", "Pressure and velocity at points.");
+  static const Factory<Postprocessor<3>>::Registration<PointGauges<3>>
+    point_gauges_3d("Point gauges", "Pressure and velocity at points.");
 } // namespace Lahar

@@ -113,6 +113,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<SolidPoints<2>> points_2d("Solid points");
-  static const Factory<Postprocessor<3>>::Registration<SolidPoints<3>> points_3d("Solid points");
+  static const Factory<Postprocessor<2>>::Registration<SolidPoints<2>>
+    points_2d("Solid points", "Displacements of material points.");
+  static const Factory<Postprocessor<3>>::Registration<SolidPoints<3>>
+    points_3d("Solid points", "Displacements of material points.");
 } // namespace Lahar

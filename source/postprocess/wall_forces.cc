@@ -62,6 +62,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<WallForces<2>> wall_forces_2d("Wall forces");
-  static const Factory<Postprocessor<3>>::Registration<WallForces<3>> wall_forces_3d("Wall forces");
+  static const Factory<Postprocessor<2>>::Registration<WallForces<2>>
+    wall_forces_2d("Wall forces", "Forces of the fluid on walls in boxes.");
+  static const Factory<Postprocessor<3>>::Registration<WallForces<3>>
+    wall_forces_3d("Wall forces", "Forces of the fluid on walls in boxes.");
 } // namespace Lahar

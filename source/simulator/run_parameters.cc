@@ -10,6 +10,8 @@ namespace Lahar
   void RunParameters::declare_parameters(Parameters &prm)
   {
     prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain) or 3.");
+    prm.declare_file_list("Plugins",
+                          "Shared libraries with further models, separated by ';', see doc/extending.md.");
     prm.declare_entry("Output directory", "output", Patterns::Anything(),
                       "Directory for everything that the run writes; it is created if need be.");
     prm.declare_entry("Start time", "0", Patterns::Anything(), "Time at the start in s.");

@@ -160,6 +160,16 @@ namespace Lahar
 
 
 
+  std::string Assignment::absolute_name(const std::string &name) const
+  {
+    const std::filesystem::path relative = std::filesystem::path(directory) / name;
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(relative, error);
+    return (error ? relative : whole).lexically_normal().string();
+  }
+
+
+
   std::vector<Assignment> read_parameter_file(const std::string &file_name)
   {
     std::vector<Assignment> result;

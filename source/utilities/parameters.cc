@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -38,6 +37,14 @@ namespace Lahar
 
 
 
+  void Parameters::declare_file_list(const std::string &entry, const std::string &documentation)
+  {
+    declare_entry(entry, "", Patterns::Anything(), documentation);
+    file_lists.insert(path(entry));
+  }
+
+
+
   void Parameters::assign(const std::vector<Assignment> &assignments, const Parameters &of_other_dimension)
   {
     const std::map<std::string, std::string> known = values();
@@ -53,11 +60,12 @@ namespace Lahar
         continue;
       std::string value = assignment.value;
       if (is_file(entry_path) && !value.empty())
+        value = assignment.absolute_name(value);
+      else if (file_lists.count(entry_path) > 0)
       {
-        const std::filesystem::path name = std::filesystem::path(assignment.directory) / value;
-        std::error_code error;
-        const std::filesystem::path whole = std::filesystem::absolute(name, error);
-        value                             = (error ? name : whole).lexically_normal().string();
+        value.clear();
+        for (const std::string &name : split_list(assignment.value, ';'))
+          value += (value.empty() ? "" : " ; ") + assignment.absolute_name(name);
       }
       for (const std::string &section : assignment.sections)
         enter_subsection(section);

@@ -20,6 +20,9 @@ namespace Lahar
 
     /// As in "Fluid/Bingham/Density".
     std::string path() const;
+
+    /// The absolute name of a file that the value calls @p name.
+    std::string absolute_name(const std::string &name) const;
   };
 
   /**

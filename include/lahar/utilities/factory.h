@@ -5,23 +5,26 @@
 
 #include <lahar/utilities/parameters.h>
 
-
-
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Lahar
 {
   using namespace dealii;
 
+  /// Names under which a second model of the same kind came, and was not taken; see load_plugins().
+  std::vector<std::string> &doubled_model_names();
+
   /**
    * The models of one kind, by name.
    *
-   * A model registers itself at the end of its .cc file with a static object of type Registration:
+   * A model registers itself at the end of its .cc file, in Lahar or in a plugin, with a static object of type
+   * Registration, under a name of its own and with a sentence that says what it is:
    * @code
-   *   static const Factory<FluidLaw>::Registration<Bingham> bingham("Bingham");
+   *   static const Factory<FluidLaw>::Registration<Bingham> bingham("Bingham", "Plastic viscosity, yield stress.");
    * @endcode
    * @p Base needs `void parse_parameters(Parameters &)`, every model a static
    * `void declare_parameters(Parameters &)`. Each model's entries stand in a subsection of the model's name.
@@ -33,9 +36,12 @@ namespace Lahar
     template <typename Model>
     struct Registration
     {
-      explicit Registration(const std::string &name)
+      Registration(const std::string &name, const std::string &description)
       {
-        models()[name] = {[]() { return std::make_unique<Model>(); }, &Model::declare_parameters};
+        const Entry entry{[]() { return std::make_unique<Model>(); }, &Model::declare_parameters,
+                          description};
+        if (!models().emplace(name, entry).second)
+          doubled_model_names().push_back(name);
       }
     };
 
@@ -46,6 +52,15 @@ namespace Lahar
       for (const auto &[name, model] : models())
         list += (list.empty() ? "" : "|") + name;
       return list;
+    }
+
+    /// "name: description" of all models, one after the other.
+    static std::string descriptions()
+    {
+      std::string text;
+      for (const auto &[name, model] : models())
+        text += (text.empty() ? "'" : " '") + name + "': " + model.description;
+      return text;
     }
 
     static bool contains(const std::string &name)
@@ -82,6 +97,7 @@ namespace Lahar
     {
       std::function<std::unique_ptr<Base>()> create;
       std::function<void(Parameters &)> declare;
+      std::string description;
     };
 
     static std::map<std::string, Entry> &models()

@@ -29,6 +29,9 @@ namespace Lahar
     /// An entry whose value is the name of a file that is read, or empty.
     void declare_file(const std::string &entry, const std::string &documentation);
 
+    /// An entry whose value is a list of such names, separated by ';'.
+    void declare_file_list(const std::string &entry, const std::string &documentation);
+
     /**
      * Set entries as the user says. Names of files become absolute ones.
      * @param of_other_dimension entries of the other space dimension, for messages.
@@ -76,7 +79,7 @@ namespace Lahar
     [[noreturn]] void throw_unknown(const Assignment &assignment, const Parameters &of_other_dimension) const;
 
     std::vector<std::string> sections;
-    std::set<std::string> files; ///< full paths of entries
+    std::set<std::string> files, file_lists; ///< full paths of entries
   };
 
   /// Split @p text at @p separator; pieces lose their surrounding white space, an empty text has no pieces.
