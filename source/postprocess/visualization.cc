@@ -16,6 +16,7 @@
 #include <lahar/utilities/ranks.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -30,13 +31,14 @@ namespace Lahar
 
 
   template <int dim>
-  void Visualization<dim>::write(const Snapshot<dim> &snapshot)
+  std::string Visualization<dim>::write(const Snapshot<dim> &snapshot)
   {
     const std::string number = "-" + Utilities::int_to_string(n_written++, 5);
     if (const std::string fluid_file = write_fluid(snapshot, "solution" + number); !fluid_file.empty())
       records.push_back({snapshot.time, 0, fluid_file});
     if (!snapshot.solids.empty())
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
+    std::string news;
     on_first_rank(communicator, [&] {
       if (!snapshot.solids.empty())
       {
@@ -44,24 +46,39 @@ namespace Lahar
         write_atomically(directory + "/" + records.back().file_name,
                          [&](std::ostream &file) { output.write_vtu(file); });
       }
-      write_records();
+      news = write_records();
     });
+    return news;
   }
 
 
 
   template <int dim>
-  void Visualization<dim>::write_records() const
+  std::string Visualization<dim>::write_records()
   {
+    std::vector<std::string> removed;
+    for (const Record &record : records)
+    {
+      std::error_code error;
+      if (std::filesystem::exists(directory + "/" + record.file_name, error))
+        missing.erase(record.file_name);
+      else if (missing.insert(record.file_name).second)
+        removed.push_back(record.file_name);
+    }
     write_atomically(directory + "/solution.pvd", [&](std::ostream &file) {
       file << "<?xml version=\"1.0\"?>\n"
               "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n"
            << std::setprecision(12);
       for (const Record &record : records)
-        file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part
-             << "\" file=\"" << record.file_name << "\"/>\n";
+        if (missing.count(record.file_name) == 0)
+          file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part
+               << "\" file=\"" << record.file_name << "\"/>\n";
       file << "</Collection>\n</VTKFile>\n";
     });
+    if (removed.empty())
+      return "";
+    return "Warning: " + std::to_string(removed.size()) + " of the snapshots so far, '" + directory + "/" +
+           removed.front() + "' first, are not there any more. 'solution.pvd' leaves them out.";
   }
 
 

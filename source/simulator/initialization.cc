@@ -55,6 +55,7 @@ namespace Lahar
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     initial_volume = volume = fluid_volume();
     warn_of_coarse_mesh();
+    files = file_checksums();
   }
 
 
