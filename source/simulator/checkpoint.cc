@@ -156,18 +156,35 @@ namespace Lahar
 
 
   template <int dim>
+  std::string Simulator<dim>::save_state()
+  {
+    earlier_wall_time                                  = progress->wall_time();
+    statistics_size                                    = statistics.size();
+    convergence_size                                   = convergence.size();
+    const std::map<std::string, std::string> values    = prm.values();
+    const std::pair<unsigned int, unsigned int> counts = particles_and_cells();
+    std::ostringstream data;
+    {
+      boost::archive::binary_oarchive archive(data);
+      archive << values << files << counts;
+      save_or_load(archive);
+    }
+    return data.str();
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::write_checkpoint()
   {
-    last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
-    const unsigned int n_ranks                    = Utilities::MPI::n_mpi_processes(communicator);
+    last_checkpoint_wall_time = progress->wall_time();
+    const std::string data = save_piece(), state = save_state();
     if (piece.run.empty())
       piece.run = Utilities::MPI::broadcast(communicator, CheckpointFile::new_run());
     ++piece.number;
-    piece.rank             = Utilities::MPI::this_mpi_process(communicator);
-    piece.n_ranks          = n_ranks;
-    const auto counts      = particles_and_cells();
-    const std::string data = save_piece();
-    unsigned int sum       = checksum(data);
+    piece.rank       = Utilities::MPI::this_mpi_process(communicator);
+    piece.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int sum = 0; // that of the first rank, whose piece is in the state, is not needed
     on_all_ranks(communicator, [&] {
       if (piece.rank > 0)
         sum = checkpoint.write(piece, data);
@@ -176,17 +193,12 @@ namespace Lahar
     on_first_rank(communicator, [&] {
       statistics.sync();
       convergence.sync();
-      statistics_size  = statistics.size();
-      convergence_size = convergence.size();
-      std::ostringstream state;
+      std::ostringstream all;
       {
-        boost::archive::binary_oarchive archive(state);
-        const std::map<std::string, std::string> values = prm.values();
-        archive << values << files << sums << counts;
-        save_or_load(archive);
-        archive << data;
+        boost::archive::binary_oarchive archive(all);
+        archive << sums << state << data;
       }
-      checkpoint.write(piece, state.str());
+      checkpoint.write(piece, all.str());
       checkpoint.remove_pieces_but(piece);
     });
   }
@@ -196,25 +208,26 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::resume()
   {
-    const std::string state = checkpoint.read_state(piece);
-    visualization           = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
+    const std::string all = checkpoint.read_state(piece);
+    visualization         = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator), n_pieces = piece.n_ranks;
     std::vector<std::string> pieces;
     std::pair<unsigned int, unsigned int> counts;
     on_all_ranks(communicator, [&] {
       try
       {
-        std::istringstream data(state);
+        std::istringstream data(all);
+        std::vector<unsigned int> sums;
+        std::string state, first_piece;
+        boost::archive::binary_iarchive(data) >> sums >> state >> first_piece;
+        data.str(state);
         boost::archive::binary_iarchive archive(data);
         std::map<std::string, std::string> earlier_values;
         std::map<std::string, unsigned int> earlier_files;
-        std::vector<unsigned int> sums;
-        archive >> earlier_values >> earlier_files >> sums >> counts;
+        archive >> earlier_values >> earlier_files >> counts;
         check_unchanged(earlier_values);
         check_files(earlier_files);
         save_or_load(archive);
-        std::string first_piece;
-        archive >> first_piece;
         for (unsigned int p = Utilities::MPI::this_mpi_process(communicator); p < n_pieces; p += n_ranks)
           pieces.push_back(p == 0 ? first_piece
                                   : checkpoint.read({piece.run, piece.number, p, n_pieces}, sums.at(p)));

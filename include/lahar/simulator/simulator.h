@@ -132,6 +132,8 @@ namespace Lahar
     void write_checkpoint();
     template <typename Archive>
     void save_or_load(Archive &archive);
+    /// What is common to all ranks. Collective, though the first rank's counts.
+    std::string save_state();
     std::string save_piece() const;
     /// @param divide whether there are as many pieces as ranks, which therefore share space as before.
     void load_pieces(const std::vector<std::string> &pieces, const bool divide);
