@@ -104,7 +104,7 @@ namespace Lahar
 
   bool Progress::mend_log()
   {
-    return log.mend();
+    return log.mend(false); // people may shorten it
   }
 
 

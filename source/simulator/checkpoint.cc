@@ -67,7 +67,10 @@ namespace Lahar
     const bool by_time = parameters.time_between_checkpoints > 0. &&
                          progress->wall_time() - last_checkpoint_wall_time >
                            parameters.time_between_checkpoints;
-    const bool is_removed = piece.number > 0 && !checkpoint.exists(piece);
+    const bool is_removed = is_first_rank(communicator) && piece.number > 0 && !checkpoint.exists(piece);
+    progress->message(is_removed ? "Warning: the checkpoint in '" + parameters.output_directory +
+                                     "' was removed while the run wrote to it. There is a new one."
+                                 : "");
     return Utilities::MPI::broadcast(communicator, by_steps || by_time || is_removed);
   }
 

@@ -114,7 +114,7 @@ namespace Lahar
 
 
 
-  bool AppendedFile::mend()
+  bool AppendedFile::mend(const bool is_ours)
   {
     if (descriptor < 0)
       return false;
@@ -128,6 +128,8 @@ namespace Lahar
     }
     else if (kept.st_dev == found.st_dev && kept.st_ino == found.st_ino)
     {
+      if (!is_ours)
+        n_bytes = found.st_size;
       if (static_cast<std::uintmax_t>(found.st_size) == n_bytes)
         return false;
       throw RunError(

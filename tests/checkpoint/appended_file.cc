@@ -50,6 +50,7 @@ int main()
   std::filesystem::resize_file(name, 5);
   check_throws<RunError>("one that others have cut off", {name, "holds 5 bytes", "wrote 18", "--resume"},
                          [&]() { file.mend(); });
+  check("or that goes on as it is", !file.mend(false) && file.size() == 5);
   file.begin();
   check("a new beginning", contents(name).empty() && file.size() == 0);
 

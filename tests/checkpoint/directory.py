@@ -223,6 +223,7 @@ def test_removed(parent):
     log = read(case, "log")
     for name in ("statistics", "convergence", "log", "parameters.prm", "lock", "solution-00001.vtu"):
         check(f"... the log tells of {name}", re.search(f"^Warning: .*out/{name}'", log, re.M), log)
+    check("... and of the checkpoint", "Warning: the checkpoint in 'out' was removed" in log, log)
     check("... all are there again but the snapshot", sorted([*all_files(out), "solution-00001.vtu"]) == expected,
           sorted(all_files(out)))
     check("... as they should be", steps(case) == steps(whole) and read(case, "convergence") == read(whole, "convergence"))

@@ -41,8 +41,9 @@ namespace Lahar
     void append(const std::string &lines);
 
     /// If the file is no longer there under its name, write it again with all lines so far. @return whether that was
-    /// necessary. @throws RunError if that fails, or if it holds another number of bytes than it should.
-    bool mend();
+    /// necessary. @throws RunError if that fails, or, with @p is_ours, if it holds another number of bytes than it
+    /// should; else the file goes on with what others have made of it.
+    bool mend(const bool is_ours = true);
 
     /// Wait until all lines are on the disk. @throws RunError
     void sync() const;
