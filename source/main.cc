@@ -6,7 +6,6 @@
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/assignment.h>
-#include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/plugins.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/version.h>
@@ -14,7 +13,6 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -27,7 +25,7 @@ namespace
     std::string file_name;
     std::vector<std::string> overrides;
     std::string print_format;
-    bool check = false, resume = false;
+    bool check = false, resume = false, overwrite = false;
   };
 
   constexpr const char *usage =
@@ -42,6 +40,8 @@ namespace
                           "override one entry: --set \"Section/Subsection/Entry=value\" (repeatable)")(
       "check", po::bool_switch(&line.check), "read, validate, build the initial mesh, report sizes, stop")(
       "resume", po::bool_switch(&line.resume), "go on from the checkpoint in the output directory")(
+      "overwrite", po::bool_switch(&line.overwrite),
+      "remove the files of an earlier run from the output directory and begin anew")(
       "print-parameters", po::value(&line.print_format),
       "print every entry with default and documentation: prm, json or latex")("help", "print this text")(
       "version", "print the version");
@@ -81,6 +81,8 @@ namespace
       throw InputError("Command line: " + std::to_string(files.size()) +
                        " parameter files, one is needed. See lahar --help.");
     line.file_name = files[0];
+    if (line.resume && line.overwrite)
+      throw InputError("Command line: --resume and --overwrite. Allowed: one of them.");
     return true;
   }
 
@@ -104,27 +106,6 @@ namespace
     for (const std::string &text : line.overrides)
       assignments.push_back(parse_override(text));
     return assignments;
-  }
-
-
-
-  /// Create the output directory and leave the complete parameters in it.
-  void prepare_output(const Parameters &prm, const std::string &directory)
-  {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    try
-    {
-      if (error)
-        throw RunError(error.message());
-      write_atomically(directory + "/parameters.prm",
-                       [&](std::ostream &file) { print_parameters(prm, "prm", file); });
-    }
-    catch (const RunError &reason)
-    {
-      throw InputError("Parameter 'Output directory' is '" + directory +
-                       "'. Allowed: a directory that can be created and written to (" + reason.what() + ").");
-    }
   }
 
 
@@ -202,6 +183,10 @@ namespace
     prm.assign(assignments, of_other_dimension);
 
     Simulator<dim> simulator(prm, MPI_COMM_WORLD);
+    if (!line.check)
+      simulator.take_output_directory(line.resume      ? OutputDirectory::Use::resume
+                                      : line.overwrite ? OutputDirectory::Use::overwrite
+                                                       : OutputDirectory::Use::begin);
     simulator.initialize();
     if (line.resume)
       simulator.resume();
@@ -212,7 +197,6 @@ namespace
         std::cout << sizes << std::endl;
       return;
     }
-    on_first_rank(MPI_COMM_WORLD, [&] { prepare_output(prm, prm.get("Output directory")); });
     simulator.run();
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/postprocess/progress.h>
+#include <lahar/utilities/exceptions.h>
+#include <lahar/utilities/ranks.h>
 
 #include <unistd.h>
 
@@ -24,17 +26,22 @@ namespace Lahar
 
 
 
-  Progress::Progress(const std::string &directory, const double start_time, const double end_time,
-                     const double earlier_wall_time, const bool silent)
-    : silent(silent)
+  Progress::Progress(const MPI_Comm &communicator, const std::string &directory, const double start_time,
+                     const double end_time, const double earlier_wall_time)
+    : communicator(communicator)
+    , log(directory + "/log")
     , on_terminal(isatty(STDOUT_FILENO))
     , start_time(start_time)
     , end_time(end_time)
     , earlier_wall_time(earlier_wall_time)
     , start(std::chrono::steady_clock::now())
   {
-    if (!silent)
-      log.open(directory + "/log", earlier_wall_time > 0. ? std::ios::app : std::ios::out);
+    on_first_rank(communicator, [&] {
+      if (earlier_wall_time > 0.)
+        log.go_on();
+      else
+        log.begin();
+    });
   }
 
 
@@ -49,8 +56,6 @@ namespace Lahar
 
   void Progress::step(const Line &line)
   {
-    if (silent)
-      return;
     const double done = (line.time - start_time) / (end_time - start_time);
     const double left = wall_time() * (1. - done) / done;
 
@@ -61,19 +66,45 @@ namespace Lahar
          << line.velocity_increment << "  dp " << line.pressure_increment << std::defaultfloat << "  cells "
          << line.cells << "  volume " << std::showpos << std::fixed << std::setprecision(3)
          << 100. * line.volume_error << " %" << std::noshowpos << "  left " << duration(left);
-    log << text.str() << std::endl;
-    if (on_terminal)
-      std::cout << text.str() << std::endl;
+    on_first_rank(communicator, [&] {
+      log.append(text.str() + '\n');
+      if (on_terminal)
+        std::cout << text.str() << std::endl;
+    });
   }
 
 
 
   void Progress::message(const std::string &text)
   {
-    if (silent)
-      return;
-    log << text << std::endl;
-    std::cout << text << std::endl;
+    on_first_rank(communicator, [&] {
+      if (text.empty())
+        return;
+      log.append(text + '\n');
+      std::cout << text << std::endl;
+    });
+  }
+
+
+
+  void Progress::failure(const std::string &reason) noexcept
+  {
+    try
+    {
+      if (is_first_rank(communicator))
+        log.append("The run failed. " + reason + '\n');
+    }
+    catch (const RunError &)
+    {
+      // It is the first failure that counts.
+    }
+  }
+
+
+
+  bool Progress::mend_log()
+  {
+    return log.mend(false); // people may shorten it
   }
 
 

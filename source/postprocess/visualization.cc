@@ -17,6 +17,7 @@
 #include <lahar/utilities/ranks.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -38,7 +39,7 @@ namespace Lahar
 
 
   template <int dim>
-  void Visualization<dim>::write(const Snapshot<dim> &snapshot)
+  std::string Visualization<dim>::write(const Snapshot<dim> &snapshot)
   {
     const std::string number = "-" + Utilities::int_to_string(n_written++, 5);
     if (const std::string fluid_file = write_fluid(snapshot, "solution" + number); !fluid_file.empty())
@@ -47,6 +48,7 @@ namespace Lahar
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
     if (has_walls)
       records.push_back({snapshot.time, 2, walls_file});
+    std::string news;
     on_first_rank(communicator, [&] {
       if (!snapshot.solids.empty())
       {
@@ -54,8 +56,9 @@ namespace Lahar
         write_atomically(directory + "/solid" + number + ".vtu",
                          [&](std::ostream &file) { output.write_vtu(file); });
       }
-      write_records();
+      news = write_records();
     });
+    return news;
   }
 
 
@@ -74,17 +77,31 @@ namespace Lahar
 
 
   template <int dim>
-  void Visualization<dim>::write_records() const
+  std::string Visualization<dim>::write_records()
   {
+    std::vector<std::string> removed;
+    for (const Record &record : records)
+    {
+      std::error_code error;
+      if (std::filesystem::exists(directory + "/" + record.file_name, error))
+        missing.erase(record.file_name);
+      else if (missing.insert(record.file_name).second)
+        removed.push_back(record.file_name);
+    }
     write_atomically(directory + "/solution.pvd", [&](std::ostream &file) {
       file << "<?xml version=\"1.0\"?>\n"
               "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n"
            << std::setprecision(12);
       for (const Record &record : records)
-        file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part
-             << "\" file=\"" << record.file_name << "\"/>\n";
+        if (missing.count(record.file_name) == 0)
+          file << "<DataSet timestep=\"" << record.time << "\" group=\"\" part=\"" << record.part
+               << "\" file=\"" << record.file_name << "\"/>\n";
       file << "</Collection>\n</VTKFile>\n";
     });
+    if (removed.empty())
+      return "";
+    return "Warning: " + std::to_string(removed.size()) + " of the snapshots so far, '" + directory + "/" +
+           removed.front() + "' first, are not there any more. 'solution.pvd' leaves them out.";
   }
 
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/simulator/simulator.h>
+#include <lahar/utilities/checksum.h>
 #include <lahar/utilities/ranks.h>
+#include <lahar/utilities/same_value.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
@@ -23,6 +26,14 @@ namespace Lahar
                                                  "Maximum time step", "Largest movement",
                                                  "Output interval",   "Checkpoint/",
                                                  "Nonlinear solver/", "Linear solver/"};
+
+    bool may_change(const std::string &path)
+    {
+      for (const std::string &entry : changeable)
+        if (path == entry || (entry.back() == '/' && path.rfind(entry, 0) == 0))
+          return true;
+      return false;
+    }
   } // namespace
 
 
@@ -57,7 +68,11 @@ namespace Lahar
     const bool by_time = parameters.time_between_checkpoints > 0. &&
                          progress->wall_time() - last_checkpoint_wall_time >
                            parameters.time_between_checkpoints;
-    return Utilities::MPI::broadcast(communicator, by_steps || by_time);
+    const bool is_removed = is_first_rank(communicator) && piece.number > 0 && !checkpoint.exists(piece);
+    progress->message(is_removed ? "Warning: the checkpoint in '" + parameters.output_directory +
+                                     "' was removed while the run wrote to it. There is a new one."
+                                 : "");
+    return Utilities::MPI::broadcast(communicator, by_steps || by_time || is_removed);
   }
 
 
@@ -84,14 +99,14 @@ namespace Lahar
       }
     std::ostringstream data;
     boost::archive::binary_oarchive archive(data, boost::archive::no_header);
-    archive << records << cells;
+    archive << records << cells << migration;
     return data.str();
   }
 
 
 
   template <int dim>
-  void Simulator<dim>::load_pieces(const std::vector<std::string> &pieces)
+  void Simulator<dim>::load_pieces(const std::vector<std::string> &pieces, const bool divide)
   {
     using Record               = typename ParticleCloud<dim>::Record;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
@@ -104,6 +119,8 @@ namespace Lahar
       std::vector<double> values;
       std::vector<std::uint64_t> piece_numbers;
       archive >> values >> piece_numbers;
+      if (divide)
+        archive >> migration;
       for (auto value = values.begin(); value != values.end(); value += Record().size())
       {
         records.emplace_back();
@@ -132,29 +149,61 @@ namespace Lahar
 
 
   template <int dim>
+  std::pair<unsigned int, unsigned int> Simulator<dim>::particles_and_cells() const
+  {
+    unsigned int n_own = 0;
+    for (unsigned int i = 0; i < particles.size(); ++i)
+      n_own += particles.is_own(i);
+    return {count_on_ranks(n_own), count_on_ranks(fluid_mesh.own_cells(particles).size())};
+  }
+
+
+
+  template <int dim>
+  std::string Simulator<dim>::save_state()
+  {
+    earlier_wall_time                                  = progress->wall_time();
+    statistics_size                                    = statistics.size();
+    convergence_size                                   = convergence.size();
+    const std::map<std::string, std::string> values    = prm.values();
+    const std::pair<unsigned int, unsigned int> counts = particles_and_cells();
+    std::ostringstream data;
+    {
+      boost::archive::binary_oarchive archive(data);
+      archive << values << files << counts;
+      save_or_load(archive);
+    }
+    return data.str();
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::write_checkpoint()
   {
-    last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
-    const unsigned int n_ranks                    = Utilities::MPI::n_mpi_processes(communicator);
-    const CheckpointFile::Piece place{step_number, Utilities::MPI::this_mpi_process(communicator), n_ranks};
-    const std::string piece = save_piece();
+    last_checkpoint_wall_time = progress->wall_time();
+    const std::string data = save_piece(), state = save_state();
+    if (piece.run.empty())
+      piece.run = Utilities::MPI::broadcast(communicator, CheckpointFile::new_run());
+    ++piece.number;
+    piece.rank       = Utilities::MPI::this_mpi_process(communicator);
+    piece.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int sum = 0; // that of the first rank, whose piece is in the state, is not needed
     on_all_ranks(communicator, [&] {
-      if (place.rank > 0)
-        checkpoint.write(place, piece);
+      if (piece.rank > 0)
+        sum = checkpoint.write(piece, data);
     });
+    const std::vector<unsigned int> sums = Utilities::MPI::gather(communicator, sum);
     on_first_rank(communicator, [&] {
-      statistics_size  = statistics.size();
-      convergence_size = convergence.size();
-      std::ostringstream data;
+      statistics.sync();
+      convergence.sync();
+      std::ostringstream all;
       {
-        boost::archive::binary_oarchive archive(data);
-        const std::map<std::string, std::string> values = prm.values();
-        archive << values << n_ranks;
-        save_or_load(archive);
-        archive << piece;
+        boost::archive::binary_oarchive archive(all);
+        archive << sums << state << data;
       }
-      checkpoint.write(data.str());
-      checkpoint.remove_pieces_but(place);
+      checkpoint.write(piece, all.str());
+      checkpoint.remove_pieces_but(piece);
     });
   }
 
@@ -163,24 +212,29 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::resume()
   {
-    const std::string state = checkpoint.read();
-    visualization           = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
+    const std::string all = checkpoint.read_state(piece);
+    visualization         = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator), n_pieces = piece.n_ranks;
     std::vector<std::string> pieces;
+    std::pair<unsigned int, unsigned int> counts;
     on_all_ranks(communicator, [&] {
       try
       {
-        std::istringstream data(state);
+        std::istringstream data(all);
+        std::vector<unsigned int> sums;
+        std::string state, first_piece;
+        boost::archive::binary_iarchive(data) >> sums >> state >> first_piece;
+        data.str(state);
         boost::archive::binary_iarchive archive(data);
         std::map<std::string, std::string> earlier_values;
-        unsigned int n_pieces;
-        archive >> earlier_values >> n_pieces;
+        std::map<std::string, unsigned int> earlier_files;
+        archive >> earlier_values >> earlier_files >> counts;
         check_unchanged(earlier_values);
+        check_files(earlier_files);
         save_or_load(archive);
-        std::string first_piece;
-        archive >> first_piece;
-        const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
         for (unsigned int p = Utilities::MPI::this_mpi_process(communicator); p < n_pieces; p += n_ranks)
-          pieces.push_back(p == 0 ? first_piece : checkpoint.read({step_number, p, n_pieces}));
+          pieces.push_back(p == 0 ? first_piece
+                                  : checkpoint.read({piece.run, piece.number, p, n_pieces}, sums.at(p)));
       }
       catch (const boost::archive::archive_exception &error)
       {
@@ -188,7 +242,12 @@ namespace Lahar
                         "one written by the same program on the same kind of machine");
       }
     });
-    load_pieces(pieces);
+    load_pieces(pieces, n_pieces == n_ranks);
+    if (const auto found = particles_and_cells(); found != counts)
+      checkpoint.fail("gives " + std::to_string(found.first) + " particles and " +
+                        std::to_string(found.second) + " cells",
+                      std::to_string(counts.first) + " and " + std::to_string(counts.second) +
+                        ", as there were when it was written");
     statistics.check(statistics_size);
     convergence.check(convergence_size);
     resumed = true;
@@ -200,19 +259,43 @@ namespace Lahar
 
 
   template <int dim>
+  std::map<std::string, unsigned int> Simulator<dim>::file_checksums() const
+  {
+    std::map<std::string, unsigned int> result;
+    for (const auto &[path, value] : prm.values())
+      if (std::error_code error; prm.is_file(path) && std::filesystem::is_regular_file(value, error))
+        result[path] = checksum_of_file(value);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::check_files(const std::map<std::string, unsigned int> &earlier_files) const
+  {
+    const std::map<std::string, std::string> values = prm.values();
+    for (const auto &[path, sum] : files)
+    {
+      const auto earlier = earlier_files.find(path);
+      if (!may_change(path) && earlier != earlier_files.end() && earlier->second != sum)
+        throw InputError(
+          "Parameter '" + path + "' is '" + values.at(path) +
+          "', a file that has changed since the run began. Allowed when a run is resumed: the file as "
+          "it was then (CRC-32 " +
+          std::to_string(earlier->second) + ", now " + std::to_string(sum) + ").");
+    }
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::check_unchanged(const std::map<std::string, std::string> &earlier_values) const
   {
     const std::map<std::string, std::string> values = prm.values();
-    const auto may_change                           = [](const std::string &path) {
-      for (const std::string &entry : changeable)
-        if (path == entry || (entry.back() == '/' && path.rfind(entry, 0) == 0))
-          return true;
-      return false;
-    };
     // A case may have moved with its mesh files.
     const auto is_same = [&](const std::string &path, const std::string &a, const std::string &b) {
-      return a == b || (prm.is_file(path) &&
-                        std::filesystem::path(a).filename() == std::filesystem::path(b).filename());
+      return prm.is_file(path) ? std::filesystem::path(a).filename() == std::filesystem::path(b).filename()
+                               : same_value(a, b);
     };
     for (const auto &[path, value] : values)
     {
@@ -232,6 +315,8 @@ namespace Lahar
 
 
 
+  template std::map<std::string, unsigned int> Simulator<2>::file_checksums() const;
+  template std::map<std::string, unsigned int> Simulator<3>::file_checksums() const;
   template void Simulator<2>::resume();
   template void Simulator<3>::resume();
   template bool Simulator<2>::checkpoint_is_due() const;

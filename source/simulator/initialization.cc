@@ -56,6 +56,7 @@ namespace Lahar
     initial_volume = volume = fluid_volume();
     momentum.set(fluid_momentum());
     warn_of_coarse_mesh();
+    files = file_checksums();
   }
 
 

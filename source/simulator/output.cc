@@ -4,6 +4,9 @@
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
 
+#include <lahar/utilities/atomic_file.h>
+
+#include <filesystem>
 #include <sstream>
 
 namespace Lahar
@@ -17,11 +20,24 @@ namespace Lahar
 
 
   template <int dim>
+  void Simulator<dim>::take_output_directory(const OutputDirectory::Use use)
+  {
+    on_first_rank(communicator, [&] { directory.take(use); });
+  }
+
+
+
+  template <int dim>
   void Simulator<dim>::start_output()
   {
-    const std::string &directory = parameters.output_directory;
-    progress = std::make_unique<Progress>(directory, parameters.start_time, parameters.end_time,
-                                          earlier_wall_time, !is_first_rank(communicator));
+    on_first_rank(communicator, [&] {
+      if (!resumed)
+        directory.clear();
+      directory.remove_temporaries();
+      write_parameters();
+    });
+    progress = std::make_unique<Progress>(communicator, parameters.output_directory, parameters.start_time,
+                                          parameters.end_time, earlier_wall_time);
     last_checkpoint_wall_time = progress->wall_time();
     if (resumed)
     {
@@ -31,24 +47,62 @@ namespace Lahar
         convergence.resume(convergence_size);
       });
       if (!complete)
-        progress->message("Warning: '" + directory +
+        progress->message("Warning: '" + parameters.output_directory +
                           "/statistics' is not there. It begins anew, without the lines so far.");
       progress->message("Resumed after step " + std::to_string(step_number) + " at " + std::to_string(time) +
                         " s.\n" + sizes());
       advance_output_time(); // the interval may be another one
       return;
     }
-    visualization = std::make_unique<Visualization<dim>>(directory, communicator);
+    visualization = std::make_unique<Visualization<dim>>(parameters.output_directory, communicator);
     progress->message(sizes());
     on_first_rank(communicator, [&] {
-      checkpoint.remove();
       statistics.begin();
       convergence.begin();
       convergence.append("# step, time (s), iteration, relative increments of velocity and pressure\n");
     });
     visualization->write_walls(walls);
-    visualization->write(snapshot());
+    write_snapshot();
     last_output_time = parameters.start_time;
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_parameters() const
+  {
+    write_atomically(parameters.output_directory + "/parameters.prm",
+                     [&](std::ostream &file) { prm.print_parameters(file, ParameterHandler::PRM); });
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::mend_output()
+  {
+    std::string news;
+    on_first_rank(communicator, [&] {
+      const auto say        = [&](const std::string &text) { news += (news.empty() ? "" : "\n") + text; };
+      const auto say_mended = [&](const std::string &name) {
+        say("Warning: '" + parameters.output_directory + "/" + name +
+            "' was removed while the run wrote to it. It is there again, with all lines.");
+      };
+      if (const std::string text = directory.mend(); !text.empty())
+        say(text);
+      if (progress->mend_log())
+        say_mended("log");
+      if (statistics.mend())
+        say_mended("statistics");
+      if (convergence.mend())
+        say_mended("convergence");
+      std::error_code error;
+      if (!std::filesystem::exists(parameters.output_directory + "/parameters.prm", error))
+      {
+        write_parameters();
+        say_mended("parameters.prm");
+      }
+    });
+    progress->message(news);
   }
 
 
@@ -66,7 +120,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_snapshot()
   {
-    visualization->write(snapshot());
+    progress->message(visualization->write(snapshot()));
     means.restart();
   }
 
@@ -119,6 +173,7 @@ namespace Lahar
       postprocessor->evaluate(snapshot(), line);
     add_to_column(line, "Wall time (s)", progress->wall_time());
 
+    mend_output();
     on_first_rank(communicator, [&] {
       statistics.append((statistics.size() == 0 ? statistics_header(line) : "") + statistics_line(line));
       std::ostringstream increments;
@@ -162,8 +217,12 @@ namespace Lahar
 
 
 
+  template void Simulator<2>::take_output_directory(const OutputDirectory::Use);
+  template void Simulator<3>::take_output_directory(const OutputDirectory::Use);
   template void Simulator<2>::start_output();
   template void Simulator<3>::start_output();
+  template void Simulator<2>::mend_output();
+  template void Simulator<3>::mend_output();
   template void Simulator<2>::advance_output_time();
   template void Simulator<3>::advance_output_time();
   template void Simulator<2>::write_snapshot();

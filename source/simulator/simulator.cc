@@ -48,6 +48,7 @@ namespace Lahar
     , problem(communicator, timer)
     , statistics(prm.get("Output directory") + "/statistics")
     , convergence(prm.get("Output directory") + "/convergence")
+    , directory(prm.get("Output directory"))
     , checkpoint(prm.get("Output directory"))
   {
     parameters.parse_parameters(prm);
@@ -71,6 +72,23 @@ namespace Lahar
 
   template <int dim>
   void Simulator<dim>::run()
+  {
+    try
+    {
+      compute();
+    }
+    catch (const std::exception &error)
+    {
+      if (progress != nullptr)
+        progress->failure(error.what());
+      throw;
+    }
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::compute()
   {
     start_output();
     double cell_steps     = 0.;

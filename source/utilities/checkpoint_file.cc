@@ -2,116 +2,151 @@
 
 #include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/checkpoint_file.h>
+#include <lahar/utilities/checksum.h>
 #include <lahar/utilities/exceptions.h>
-
-#include <boost/crc.hpp>
 
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <random>
+#include <sstream>
 
 namespace Lahar
 {
   namespace
   {
-    const std::string title = "Lahar checkpoint";
-
-    unsigned int checksum(const std::string &data)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(data.data(), data.size());
-      return crc.checksum();
-    }
+    const std::string title = "Lahar checkpoint", piece_start = "piece-";
   } // namespace
 
 
 
   CheckpointFile::CheckpointFile(const std::string &output_directory)
     : directory(output_directory + "/checkpoint")
-    , file_name(directory + "/state")
   {}
 
 
 
-  void CheckpointFile::write(const std::string &data) const
+  std::string CheckpointFile::new_run()
   {
-    write_file(file_name, data);
+    std::random_device random;
+    std::ostringstream name;
+    name << std::hex << std::setfill('0');
+    for (unsigned int i = 0; i < 4; ++i)
+      name << std::setw(8) << random();
+    return name.str();
   }
 
 
 
-  std::string CheckpointFile::read() const
+  std::string CheckpointFile::name_of(const Piece &piece) const
   {
-    return read_file(file_name);
+    return directory + "/" +
+           (piece.rank == 0 ? "state"
+                            : piece_start + std::to_string(piece.number) + '-' + std::to_string(piece.rank) +
+                                "-of-" + std::to_string(piece.n_ranks));
   }
 
 
 
-  namespace
-  {
-    const std::string piece_start = "piece-";
-
-    std::string name_of(const CheckpointFile::Piece &piece)
-    {
-      return piece_start + std::to_string(piece.step) + '-' + std::to_string(piece.rank) + "-of-" +
-             std::to_string(piece.n_ranks);
-    }
-  } // namespace
-
-
-
-  void CheckpointFile::write(const Piece &piece, const std::string &data) const
-  {
-    write_file(directory + "/" + name_of(piece), data);
-  }
-
-
-
-  std::string CheckpointFile::read(const Piece &piece) const
-  {
-    return read_file(directory + "/" + name_of(piece));
-  }
-
-
-
-  void CheckpointFile::write_file(const std::string &name, const std::string &data) const
+  unsigned int CheckpointFile::write(const Piece &piece, const std::string &data) const
   {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     if (error)
       throw RunError("Cannot create '" + directory + "': " + error.message() + ".");
-    write_atomically(name, [&](std::ostream &file) {
-      file << title << "\nversion " << format_version << "\nbytes " << data.size() << "\nchecksum "
-           << checksum(data) << '\n'
-           << data;
+    std::ostringstream header;
+    header << title << "\nversion " << format_version << "\nrun " << piece.run << "\nnumber " << piece.number
+           << "\nrank " << piece.rank << " of " << piece.n_ranks << "\nbytes " << data.size() << '\n';
+    const unsigned int sum = checksum(header.str() + data);
+    write_atomically(name_of(piece), [&](std::ostream &file) {
+      file << header.str() << "checksum " << sum << '\n' << data;
     });
+    return sum;
   }
 
 
 
-  std::string CheckpointFile::read_file(const std::string &name) const
+  std::string CheckpointFile::read_state(Piece &piece) const
+  {
+    piece.rank = 0;
+    unsigned int sum;
+    std::string data = read_file(name_of(piece), piece, sum);
+    if (piece.rank != 0)
+      fail("is the piece of rank " + std::to_string(piece.rank), "that of rank 0");
+    return data;
+  }
+
+
+
+  std::string CheckpointFile::read(const Piece &piece, const unsigned int sum) const
+  {
+    const std::string name = name_of(piece);
+    Piece found;
+    unsigned int found_sum;
+    std::string data = read_file(name, found, found_sum);
+    if (found.run != piece.run)
+      fail(name, "is of another run (" + found.run + ")", "that of the run of 'state', " + piece.run);
+    if (found.number != piece.number)
+      fail(name, "is of checkpoint " + std::to_string(found.number) + " of the run",
+           "checkpoint " + std::to_string(piece.number) + ", as 'state' is");
+    if (found.rank != piece.rank || found.n_ranks != piece.n_ranks)
+      fail(name,
+           "is the piece of rank " + std::to_string(found.rank) + " of " + std::to_string(found.n_ranks),
+           "that of rank " + std::to_string(piece.rank) + " of " + std::to_string(piece.n_ranks));
+    if (found_sum != sum)
+      fail(name, "is not the piece with which 'state' was written: its checksum is another one",
+           "pieces and 'state' of one checkpoint");
+    return data;
+  }
+
+
+
+  std::string CheckpointFile::read_file(const std::string &name, Piece &piece, unsigned int &sum) const
   {
     std::ifstream file(name, std::ios::binary);
     if (!file || !std::filesystem::is_regular_file(name))
       fail(name, "is not there or cannot be read",
            "an output directory in which a run has left a checkpoint");
-    std::string line, word[3];
-    unsigned int version = 0, sum = 0;
-    std::size_t size = 0;
+    std::string line, word[7];
+    unsigned int version = 0;
+    std::size_t size     = 0;
     if (!std::getline(file, line) || line != title || !(file >> word[0] >> version) || word[0] != "version")
       fail(name, "is no checkpoint of Lahar", "a file that a run has written");
     if (version != format_version)
       fail(name, "has the format version " + std::to_string(version),
            "version " + std::to_string(format_version) + "; use the version of lahar that wrote it");
-    if (!(file >> word[1] >> size >> word[2] >> sum) || word[1] != "bytes" || word[2] != "checksum")
+    file.get();
+    if (!(file >> word[1] >> piece.run >> word[2] >> piece.number >> word[3] >> piece.rank >> word[4] >>
+          piece.n_ranks >> word[5] >> size) ||
+        word[1] != "run" || word[2] != "number" || word[3] != "rank" || word[4] != "of" || word[5] != "bytes")
+      fail(name, "is truncated or corrupted in its header", "a complete file");
+    file.get();
+    const std::streamoff end_of_header = file.tellg();
+    if (!(file >> word[6] >> sum) || word[6] != "checksum")
       fail(name, "is truncated or corrupted in its header", "a complete file");
     file.get();
     const std::string data(std::istreambuf_iterator<char>(file), {});
     if (data.size() != size)
       fail(name, "holds " + std::to_string(data.size()) + " bytes of data", std::to_string(size) + " bytes");
-    if (checksum(data) != sum)
+    std::string header(end_of_header, ' ');
+    file.clear();
+    file.seekg(0);
+    file.read(header.data(), header.size());
+    if (checksum(header + data) != sum)
       fail(name, "is corrupted: its checksum is wrong", "a file as it was written");
     return data;
+  }
+
+
+
+  bool CheckpointFile::exists(const Piece &piece) const
+  {
+    std::error_code error;
+    bool all = true;
+    for (unsigned int r = 0; r < piece.n_ranks && all; ++r)
+      all = std::filesystem::exists(name_of({piece.run, piece.number, r, piece.n_ranks}), error);
+    return all;
   }
 
 
@@ -125,7 +160,7 @@ namespace Lahar
       const std::string name = entry->path().filename().string();
       bool is_kept           = name.rfind(piece_start, 0) != 0;
       for (unsigned int r = 1; r < kept.n_ranks && !is_kept; ++r)
-        is_kept = name == name_of({kept.step, r, kept.n_ranks});
+        is_kept = directory + "/" + name == name_of({kept.run, kept.number, r, kept.n_ranks});
       if (!is_kept)
         std::filesystem::remove(entry->path(), error);
     }
@@ -135,21 +170,9 @@ namespace Lahar
 
 
 
-  void CheckpointFile::remove() const
-  {
-    std::error_code error;
-    std::filesystem::remove(file_name, error);
-    if (error)
-      throw RunError("Cannot remove '" + file_name + "': " + error.message() + ".");
-    if (std::filesystem::is_directory(directory, error))
-      remove_pieces_but({0, 0, 1});
-  }
-
-
-
   void CheckpointFile::fail(const std::string &found, const std::string &allowed) const
   {
-    fail(file_name, found, allowed);
+    fail(name_of({}), found, allowed);
   }
 
 

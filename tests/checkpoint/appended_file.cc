@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test the file that grows line by line: what it holds, what is cut off when a run is resumed, what is refused, and the
-// message of a disk that is full. Test the line and the header of the statistics that are written to it.
+// Test the file that grows line by line: what it holds, what is cut off when a run is resumed, what is refused, what comes
+// back when others remove it, and the message of a disk that is full. Test the line and the header of the statistics that
+// are written to it.
 
 #include <lahar/postprocess/statistics_line.h>
 #include <lahar/utilities/appended_file.h>
@@ -41,6 +42,15 @@ int main()
   check("and the file goes on", contents(name) == "one\ntwo\nfour\n" && file.size() == 13);
   check_throws<InputError>("a shorter one is refused", {"--resume", name, "13 bytes", "14 when", "Allowed"},
                            [&]() { file.check(14); });
+  check("all is as it was written", !file.mend());
+  std::filesystem::remove(name);
+  check("a removed one is there again", file.mend() && contents(name) == "one\ntwo\nfour\n" && !file.mend());
+  file.append("five\n");
+  check("and the file goes on", contents(name) == "one\ntwo\nfour\nfive\n" && file.size() == 18);
+  std::filesystem::resize_file(name, 5);
+  check_throws<RunError>("one that others have cut off", {name, "holds 5 bytes", "wrote 18", "--resume"},
+                         [&]() { file.mend(); });
+  check("or that goes on as it is", !file.mend(false) && file.size() == 5);
   file.begin();
   check("a new beginning", contents(name).empty() && file.size() == 0);
 

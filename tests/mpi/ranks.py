@@ -7,6 +7,10 @@ column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane wi
           that differs. The pieces of a snapshot are the whole.
 rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
+pieces:   so is a piece in the place of another rank's, of another checkpoint or another run, or of the same number in a run
+          that has taken another way.
+same:     a run that is resumed on as many ranks is, bit for bit, the one that is not, with the iterative solver and with
+          KLU; with MUMPS, which adds up in the order in which messages come, to rounding.
 faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
           out of memory the others do not wait for ever.
 
@@ -15,6 +19,7 @@ Usage: ranks.py GROUP LAHAR MPIEXEC
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -206,6 +211,65 @@ def resume():
         compare("resume: 2, 3 and 1 ranks", read_statistics(whole), read_statistics(parts))
 
 
+def pieces():
+    with tempfile.TemporaryDirectory() as parent:
+        coarse = CASES["column"].replace("= 0.015", "= 0.03")
+        case, other = (new_case(parent, name, coarse) for name in ("case", "other"))
+        for directory in (case, other):
+            check("pieces: begun by 3", run(directory, 3, "--set", "End time=0.004").returncode == 0)
+        before, sibling = os.path.join(parent, "before"), os.path.join(parent, "sibling")
+        shutil.copytree(case, before)
+        shutil.copytree(case, sibling)
+        check("pieces: continued", run(case, 3, "--resume", "--set", "End time=0.008").returncode == 0)
+        result = run(sibling, 3, "--resume", "--set", "End time=0.008", "--set", "Time step=1e-3")
+        check("pieces: continued in another way", result.returncode == 0, result.stderr)
+
+        def path(directory, rank):
+            folder = os.path.join(directory, "out", "checkpoint")
+            names = [name for name in os.listdir(folder) if name.endswith(f"-{rank}-of-3")]
+            return os.path.join(folder, names[0])
+
+        place = path(case, 1)
+        good = open(place, "rb").read()
+        for what, source, words in (("of another rank", path(case, 2), "is the piece of rank 2 of 3"),
+                                    ("of an earlier checkpoint", path(before, 1), "is of checkpoint 1 of the run"),
+                                    ("of another run", path(other, 1), "is of another run"),
+                                    ("of the same number", path(sibling, 1), "is not the piece with which 'state' was")):
+            shutil.copy(source, place)
+            result = run(case, 1, "--resume")
+            check(f"pieces: one {what}: status 2", result.returncode == 2, result.returncode, result.stdout, result.stderr)
+            check("pieces: ... the message names it", words in result.stderr and os.path.basename(place) in result.stderr,
+                  result.stderr)
+        with open(place, "wb") as file:
+            file.write(good)
+        check("pieces: the good one works", run(case, 1, "--resume", "--set", "End time=0.01").returncode == 0)
+
+
+def lines(directory, name):
+    """The file's lines; those of the statistics without wall times."""
+    text = open(os.path.join(directory, "out", name)).read().splitlines()
+    return [line if line.startswith("#") else line.split()[:-1] for line in text] if name == "statistics" else text
+
+
+def same():
+    text = (COLUMN + TIGHT).replace("End time         = 0.03", "Output interval  = 0.03\nset End time         = 0.06").replace(
+        "= 0.015", "= 0.02")
+    with tempfile.TemporaryDirectory() as parent:
+        for n_ranks, solver, package in ((3, "iterative", "MUMPS"), (2, "direct", "KLU"), (2, "direct", "MUMPS")):
+            whole, parts = (new_case(parent, f"{name}-{solver}-{package}", text) for name in ("whole", "parts"))
+            options = ["--set", f"Linear solver/Type={solver}", "--set", f"Linear solver/Direct/Package={package}"]
+            what = f"same: {n_ranks} ranks, {solver} solver" + (f" {package}" if solver == "direct" else "")
+            check(f"{what}: the whole run", run(whole, n_ranks, *options).returncode == 0)
+            check(f"{what}: a part of it", run(parts, n_ranks, *options, "--set", "End time=0.03").returncode == 0)
+            check(f"{what}: the rest", run(parts, n_ranks, "--resume", *options).returncode == 0)
+            if solver == "direct" and package == "MUMPS":  # of which no two runs are the same
+                compare(what, read_statistics(whole), read_statistics(parts))
+                continue
+            for name in ("statistics", "convergence"):
+                check(f"{what}: {name} bit for bit", lines(whole, name) == lines(parts, name) and
+                      len(lines(whole, name)) > 30)
+
+
 def faults():
     with tempfile.TemporaryDirectory() as parent:
         directory = new_case(parent, "faults", CASES["column"])
@@ -220,7 +284,7 @@ def faults():
                   message in result.stderr, result.stderr)
 
         # 600 MiB of addresses are too few for the libraries and a mesh: the second rank runs out of memory somewhere.
-        case = [LAHAR, "--set", "Mesh size=0.0015", "case.prm"]
+        case = [LAHAR, "--overwrite", "--set", "Mesh size=0.0015", "case.prm"]
         result = run(directory, 1, program=[*case, ":", "-np", "1", "/bin/sh", "-c",
                                             'ulimit -v 600000; exec "$@"', "sh", *case])
         check("faults: one rank without memory ends all", result.returncode != 0, result.returncode, result.stderr)
@@ -229,5 +293,5 @@ def faults():
 if sys.argv[1] in CASES:
     same_on_all(sys.argv[1])
 else:
-    {"resume": resume, "faults": faults}[sys.argv[1]]()
+    {"resume": resume, "pieces": pieces, "same": same, "faults": faults}[sys.argv[1]]()
 sys.exit(1 if failed else 0)

@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <vector>
 
 namespace Lahar
@@ -34,6 +36,13 @@ namespace Lahar
     /// The rank whose part of space holds @p point.
     unsigned int rank_of(const Point<dim> &point) const;
 
+    /// The cuts, which belong to one number of ranks.
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &parts;
+    }
+
   private:
     /// Ranks first … first+number−1 and, if these are several, where they are divided: n/2 of them are below the cut.
     struct Part
@@ -42,6 +51,12 @@ namespace Lahar
       unsigned int direction = 0;
       double place           = 0.;
       unsigned int below     = 0; ///< index of the part below the cut, the one above it follows
+
+      template <typename Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &first &n_ranks &direction &place &below;
+      }
     };
 
     MPI_Comm communicator;

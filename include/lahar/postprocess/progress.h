@@ -5,8 +5,9 @@
 
 #include <deal.II/base/timer.h>
 
+#include <lahar/utilities/appended_file.h>
+
 #include <chrono>
-#include <fstream>
 #include <string>
 
 namespace Lahar
@@ -15,7 +16,8 @@ namespace Lahar
 
   /**
    * Tells people how the run goes: one line a step, into the file `log` and, if the standard output is a terminal, on
-   * the screen; what matters once goes to both in any case.
+   * the screen; what matters once goes to both in any case. The first rank does this; all functions but wall_time() and
+   * failure() are collective, and throw RunError if `log` cannot be written.
    */
   class Progress
   {
@@ -35,15 +37,20 @@ namespace Lahar
      * @param directory where `log` is written; a resumed run appends to it.
      * @param start_time,end_time s, for the estimate of what is left.
      * @param earlier_wall_time what the run took before it was resumed, s; zero for a new one.
-     * @param silent on all ranks but one: nothing is written.
      */
-    Progress(const std::string &directory, const double start_time, const double end_time,
-             const double earlier_wall_time, const bool silent);
+    Progress(const MPI_Comm &communicator, const std::string &directory, const double start_time,
+             const double end_time, const double earlier_wall_time);
 
     void step(const Line &line);
 
-    /// A message of its own line(s), on the screen and in the log.
+    /// A message of its own line(s), on the screen and in the log: the first rank's, if it has one.
     void message(const std::string &text);
+
+    /// Why the run fails, in the log if that can be written: it is on the screen by other ways.
+    void failure(const std::string &reason) noexcept;
+
+    /// See AppendedFile::mend(), on the first rank alone.
+    bool mend_log();
 
     /// The table of wall times, and µs per cell and step of each phase.
     void summary(const TimerOutput &timer, const double cell_steps);
@@ -52,8 +59,9 @@ namespace Lahar
     double wall_time() const;
 
   private:
-    std::ofstream log;
-    bool silent, on_terminal;
+    MPI_Comm communicator;
+    AppendedFile log;
+    bool on_terminal;
     double start_time, end_time, earlier_wall_time;
     std::chrono::steady_clock::time_point start;
   };

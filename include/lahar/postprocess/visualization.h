@@ -8,6 +8,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ namespace Lahar
    * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate,
    * effective_viscosity, yielded. On several ranks each writes a piece of the fluid, solution-NNNNN.R.vtu, and
    * solution-NNNNN.pvtu lists them. Files are written under a temporary name first, so that each that has its final
-   * name is complete.
+   * name is complete. The list leaves out files that others have removed, as long as they are away.
    */
   template <int dim>
   class Visualization
@@ -31,8 +32,9 @@ namespace Lahar
     /// @param directory output directory, which exists.
     Visualization(const std::string &directory, const MPI_Comm &communicator);
 
-    /// Collective. @throws RunError if a file cannot be written.
-    void write(const Snapshot<dim> &snapshot);
+    /// Collective. @return on the first rank which files have been removed since the last time, for people. @throws
+    /// RunError if a file cannot be written.
+    std::string write(const Snapshot<dim> &snapshot);
 
     /// Write walls.vtu, if there are walls, which are the same on all ranks. @throws RunError as above
     void write_walls(const Walls<dim> &walls);
@@ -64,13 +66,14 @@ namespace Lahar
     /// Write the mesh to one of the @p pieces. @return the list of these.
     std::string write_piece(const Snapshot<dim> &snapshot, const std::string &file_name,
                             const std::vector<std::string> &pieces) const;
-    void write_records() const;
+    std::string write_records();
 
     std::string directory;
     MPI_Comm communicator;
     unsigned int n_written = 0;
     bool has_walls         = false;
     std::vector<Record> records;
+    std::set<std::string> missing; ///< of their files
   };
 } // namespace Lahar
 

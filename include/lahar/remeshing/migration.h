@@ -92,6 +92,13 @@ namespace Lahar
       return region_distance;
     }
 
+    /// How space is divided, which depends on what came before; it belongs to one number of ranks.
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &parts;
+    }
+
   private:
     void divide_space(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh);
     void find_boxes(const ParticleCloud<dim> &cloud);

@@ -27,6 +27,7 @@
 #include <lahar/solid/solids.h>
 #include <lahar/utilities/appended_file.h>
 #include <lahar/utilities/checkpoint_file.h>
+#include <lahar/utilities/output_directory.h>
 
 #include <cstdint>
 #include <map>
@@ -51,17 +52,23 @@ namespace Lahar
     /// Read all parameters. @throws InputError for anything that cannot be computed.
     Simulator(Parameters &prm, const MPI_Comm &communicator);
 
+    /// Take the output directory for this run, see OutputDirectory::take(). Whoever does without it, as programs that
+    /// use the library may, overwrites what is there. Collective. @throws InputError
+    void take_output_directory(const OutputDirectory::Use use);
+
     /// Create particles, walls and first mesh. @throws InputError
     void initialize();
 
     /// After initialize(), go on from the checkpoint in the output directory. @throws InputError if there is none that
-    /// can be read, or if a parameter differs from the checkpoint's that a resumed run cannot honour.
+    /// can be read, or if a parameter, or what a mesh file holds, differs from the checkpoint's where a resumed run
+    /// cannot honour it.
     void resume();
 
     /// What initialize() or resume() made, in a few lines. Collective.
     std::string sizes() const;
 
-    /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError
+    /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError, whose reason
+    /// stands in `log`, too.
     void run();
 
     /// What this rank knows of the particles.
@@ -116,16 +123,29 @@ namespace Lahar
     void warn_of_volume();
     Snapshot<dim> snapshot();
 
+    /// run() without what concerns its failures.
+    void compute();
     void start_output();
+    /// Make again what others have removed of the output, and say so. Collective. @throws RunError where that cannot be.
+    void mend_output();
+    void write_parameters() const;
     void advance_output_time();
     void write_snapshot();
     bool checkpoint_is_due() const;
     void write_checkpoint();
     template <typename Archive>
     void save_or_load(Archive &archive);
+    /// What is common to all ranks. Collective, though the first rank's counts.
+    std::string save_state();
     std::string save_piece() const;
-    void load_pieces(const std::vector<std::string> &pieces);
+    /// @param divide whether there are as many pieces as ranks, which therefore share space as before.
+    void load_pieces(const std::vector<std::string> &pieces, const bool divide);
     void check_unchanged(const std::map<std::string, std::string> &earlier_values) const;
+    /// Checksums of the files that entries name, by entry.
+    std::map<std::string, unsigned int> file_checksums() const;
+    void check_files(const std::map<std::string, unsigned int> &earlier_files) const;
+    /// Own particles and cells on all ranks.
+    std::pair<unsigned int, unsigned int> particles_and_cells() const;
 
     MPI_Comm communicator;
     Parameters &prm;
@@ -170,7 +190,10 @@ namespace Lahar
     std::unique_ptr<Progress> progress;
     double last_output_time = 0.; ///< when output was due last, s
 
+    OutputDirectory directory;
     CheckpointFile checkpoint;
+    CheckpointFile::Piece piece;               ///< this rank's of the last checkpoint
+    std::map<std::string, unsigned int> files; ///< file_checksums() as the run began
     bool resumed                     = false;
     double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
     std::uintmax_t statistics_size = 0, convergence_size = 0;      ///< of the files at the checkpoint, bytes

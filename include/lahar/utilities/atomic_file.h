@@ -9,8 +9,12 @@
 
 namespace Lahar
 {
+  /// What the names of temporary files end with.
+  extern const std::string temporary_ending;
+
   /**
-   * Write a file so that it never exists in part: @p write fills a temporary file beside it, which then takes its name.
+   * Write a file so that it never exists in part: @p write fills a temporary file beside it, NAME.HOST-PID.part, which
+   * takes its name once it is on the disk. Two processes never share a temporary file.
    * @throws RunError with the file's name if that fails.
    */
   void write_atomically(const std::string &file_name, const std::function<void(std::ostream &)> &write);

@@ -4,53 +4,65 @@
 #define lahar_utilities_checkpoint_file_h
 
 #include <string>
+#include <vector>
 
 namespace Lahar
 {
   /**
-   * The file `checkpoint/state` in an output directory: a text header with the format's version and the length and
-   * CRC-32 checksum of the binary data that follow. Of a run on several ranks, whose first one writes that file, the
-   * others have files of the same kind beside it, `checkpoint/piece-STEP-RANK-of-RANKS`.
+   * A checkpoint in an output directory: the first rank's file `checkpoint/state` and, of a run on several ranks, a piece
+   * of each other one, `checkpoint/piece-NUMBER-RANK-of-RANKS`.
+   *
+   * Each has a text header with the format's version, the run, the number of the checkpoint in it, the rank, and length
+   * and CRC-32 checksum of the binary data that follow; the checksum is one of the header, too. The checksums of all
+   * pieces are among the data of the state, so that a checkpoint consists of the pieces with which it was written and
+   * of no others. Every checkpoint of a run has a number of its own: its pieces are written beside those of the one
+   * before, which stay valid until the state has been replaced.
    */
   class CheckpointFile
   {
   public:
     /// Raised whenever the data mean something else.
-    static constexpr unsigned int format_version = 4;
+    static constexpr unsigned int format_version = 5;
+
+    /// Whose data.
+    struct Piece
+    {
+      std::string run; ///< one word
+      unsigned int number = 0, rank = 0, n_ranks = 1;
+    };
 
     explicit CheckpointFile(const std::string &output_directory);
 
-    /// Replace the file, which is never there in part. @throws RunError
-    void write(const std::string &data) const;
+    /// A name that no other run has.
+    static std::string new_run();
 
-    /// @return the data. @throws InputError if the file is missing, truncated, corrupted or of another format.
-    std::string read() const;
+    /// Replace the file of a piece (of rank 0: the state), which is never there in part. @return the checksum. @throws
+    /// RunError
+    unsigned int write(const Piece &piece, const std::string &data) const;
 
-    /// Which piece of which checkpoint.
-    struct Piece
-    {
-      unsigned int step, rank, n_ranks;
-    };
+    /// Read the state. @return its data, and in @p piece whose they are. @throws InputError if the file is missing,
+    /// truncated, corrupted or of another format.
+    std::string read_state(Piece &piece) const;
 
-    void write(const Piece &piece, const std::string &data) const;
-    std::string read(const Piece &piece) const;
+    /// Read a piece that has this checksum. @throws InputError as read_state(), or if it is another one.
+    std::string read(const Piece &piece, const unsigned int sum) const;
 
-    /// Remove all pieces but those of the same step and number of ranks. @throws RunError
+    /// Whether the files of all ranks are there.
+    bool exists(const Piece &piece) const;
+
+    /// Remove the pieces of all other checkpoints. @throws RunError
     void remove_pieces_but(const Piece &piece) const;
-
-    /// Remove the file, and its pieces, if there is one. @throws RunError
-    void remove() const;
 
     /// @throws InputError that names the file, what was @p found and what is @p allowed.
     [[noreturn]] void fail(const std::string &found, const std::string &allowed) const;
 
   private:
-    void write_file(const std::string &name, const std::string &data) const;
-    std::string read_file(const std::string &name) const;
+    std::string name_of(const Piece &piece) const;
+    std::string read_file(const std::string &name, Piece &piece, unsigned int &sum) const;
     [[noreturn]] void fail(const std::string &name, const std::string &found,
                            const std::string &allowed) const;
 
-    std::string directory, file_name;
+    std::string directory;
   };
 } // namespace Lahar
 
