@@ -12,8 +12,8 @@ namespace Lahar
     /// No particle is inserted nearer to the free surface than this times h, but on it.
     constexpr double smallest_depth = 0.5;
 
-    /// Edges that end within this times h of a wall do not pass through it; its rim counts as much wider.
-    constexpr double wall_tolerance = 1e-3;
+    /// The rim of a wall counts this times h wider.
+    constexpr double wall_rim = 1e-3;
   } // namespace
 
 
@@ -73,12 +73,14 @@ namespace Lahar
               near_surface[e]           = near_surface[e] || depth < smallest_depth * h(e);
             }
       }
+    // Both ways from fluid to the middle must be free; an end that is a wall's lies in it.
     for (unsigned int e = 0; e < n; ++e)
-      harmful[e] = harmful[e] || (near_surface[e] && !on_surface[e]) ||
-                   !walls
-                      .crossed(cloud.position[edges[e].first], cloud.position[edges[e].second],
-                               wall_tolerance * h(e), wall_tolerance * h(e))
-                      .empty();
+    {
+      harmful[e] = harmful[e] || (near_surface[e] && !on_surface[e]);
+      for (const unsigned int i : {edges[e].first, edges[e].second})
+        if (cloud.kind[i] == ParticleKind::fluid && !harmful[e])
+          harmful[e] = !walls.crossed(cloud.position[i], middle[e], 0., wall_rim * h(e)).empty();
+    }
     return harmful;
   }
 
