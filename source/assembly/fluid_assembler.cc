@@ -95,6 +95,7 @@ namespace Lahar
     state.stabilization.resize(mesh.n_cells());
     state.stabilization_viscosity.resize(mesh.n_cells());
     state.left_out.assign(mesh.n_cells(), false);
+    state.sliver.resize(mesh.n_cells(), false);
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
@@ -163,7 +164,7 @@ namespace Lahar
         continue;
       const Simplex<dim> &vertices = mesh.cells()[c];
       gather(vertices, state, cell);
-      cell.reinit(corners_of<dim>(vertices, state.position), false);
+      cell.reinit(state.shape_of(c, vertices), false);
 
       Tensor<2, dim> delta_L;
       for (unsigned int I = 0; I <= dim; ++I)
@@ -210,6 +211,7 @@ namespace Lahar
     const BodyForce<dim> body_force;
     const ViscousStress<dim> viscous_stress(linearization.viscosity, linearization.plastic_weight);
     const PressureDivergence<dim> pressure_divergence;
+    const FlatPressureDivergence<dim> flat_pressure_divergence;
     const FICInterior<dim> fic_interior;
     const FICFreeSurface<dim> fic_free_surface;
     const ResidualStabilization<dim> residual_stabilization;
@@ -226,7 +228,7 @@ namespace Lahar
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
-      const auto corners           = corners_of<dim>(mesh.cells()[c], state.position);
+      const auto corners           = state.shape_of(c, mesh.cells()[c]);
       cell.old_volume              = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
       cell.stabilization           = state.stabilization[c];
       cell.stabilization_viscosity = state.stabilization_viscosity[c];
@@ -236,7 +238,7 @@ namespace Lahar
         system.add(c, cell_system.matrix, cell_system.residual);
         continue;
       }
-      cell.reinit(corners, linearization.motion &&
+      cell.reinit(corners, linearization.motion && !state.sliver[c] &&
                              signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
       if (!(cell.volume > 0.))
         return false;
@@ -250,7 +252,11 @@ namespace Lahar
       inertia.assemble(cell, cell_system);
       body_force.assemble(cell, cell_system);
       viscous_stress.assemble(cell, cell_system);
-      pressure_divergence.assemble(cell, cell_system);
+      if (state.sliver[c])
+        flat_pressure_divergence.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
+                                          cell_system);
+      else
+        pressure_divergence.assemble(cell, cell_system);
       if (stabilization == Stabilization::projected_residual || stabilization == Stabilization::residual)
         residual_stabilization.assemble(cell, cell_system);
       else

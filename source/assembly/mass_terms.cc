@@ -1,9 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/assembly/terms.h>
+#include <lahar/remeshing/simplex_geometry.h>
 
 namespace Lahar
 {
+  namespace
+  {
+    /// V ∇N_I of each corner, linear (3D: quadratic) in the edges, whatever the volume is.
+    template <int dim>
+    std::array<Tensor<1, dim>, dim + 1> area_vectors(const SimplexCorners<dim> &x)
+    {
+      const Tensor<2, dim> edges = edge_matrix<dim>(x);
+      std::array<Tensor<1, dim>, dim + 1> areas;
+      if constexpr (dim == 2)
+      {
+        areas[1] = 0.5 * cross_product_2d(edges[1]);
+        areas[2] = -0.5 * cross_product_2d(edges[0]);
+      }
+      else
+        for (unsigned int c = 0; c < dim; ++c)
+          areas[c + 1] = cross_product_3d(edges[(c + 1) % dim], edges[(c + 2) % dim]) / 6.;
+      for (unsigned int c = 1; c <= dim; ++c)
+        areas[0] -= areas[c];
+      return areas;
+    }
+
+    /// R_I += ∫ N_I (1/κ) (p − p_n)/Δt.
+    template <int dim>
+    void assemble_compression(const FluidCell<dim> &cell, CellSystem<dim> &system)
+    {
+      using S                      = CellSystem<dim>;
+      constexpr unsigned n         = dim + 1;
+      const auto &G                = cell.gradients;
+      const double V               = cell.volume;
+      const double compressibility = cell.law->compressibility() / cell.time_step;
+      if (compressibility > 0.)
+        for (unsigned int I = 0; I < n; ++I)
+        {
+          double rate = 0.;
+          for (unsigned int J = 0; J < n; ++J)
+          {
+            rate += compressibility * cell.mass(I, J) * (cell.pressure[J] - cell.old_pressure[J]);
+            system.matrix[S::pressure_index(I)][S::pressure_index(J)] += compressibility * V *
+                                                                         cell.mass(I, J);
+          }
+          system.residual[S::pressure_index(I)] += V * rate;
+          for (unsigned int J = 0; J < n; ++J)
+            for (unsigned int b = 0; b < dim; ++b)
+              system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * V * G[J][b] * rate;
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   void PressureDivergence<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
@@ -32,21 +83,33 @@ namespace Lahar
         }
     }
 
-    const double compressibility = cell.law->compressibility() / cell.time_step;
-    if (compressibility > 0.)
-      for (unsigned int I = 0; I < n; ++I)
-      {
-        double rate = 0.;
-        for (unsigned int J = 0; J < n; ++J)
+    assemble_compression(cell, system);
+  }
+
+
+
+  template <int dim>
+  void FlatPressureDivergence<dim>::assemble(const FluidCell<dim> &cell, const SimplexCorners<dim> &corners,
+                                             CellSystem<dim> &system) const
+  {
+    using S              = CellSystem<dim>;
+    constexpr unsigned n = dim + 1;
+    const auto areas     = area_vectors<dim>(corners);
+    const double p       = cell.mean_pressure();
+    const double growth  = (signed_volume<dim>(corners) - cell.old_volume) / cell.time_step;
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      system.residual[S::pressure_index(I)] -= growth / n;
+      for (unsigned int a = 0; a < dim; ++a)
+        system.residual[S::index(I, a)] += p * areas[I][a];
+      for (unsigned int J = 0; J < n; ++J)
+        for (unsigned int b = 0; b < dim; ++b)
         {
-          rate += compressibility * cell.mass(I, J) * (cell.pressure[J] - cell.old_pressure[J]);
-          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += compressibility * V * cell.mass(I, J);
+          system.matrix[S::index(I, b)][S::pressure_index(J)] += areas[I][b] / n;
+          system.matrix[S::pressure_index(I)][S::index(J, b)] -= areas[J][b] / n;
         }
-        system.residual[S::pressure_index(I)] += V * rate;
-        for (unsigned int J = 0; J < n; ++J)
-          for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * V * G[J][b] * rate;
-      }
+    }
+    assemble_compression(cell, system);
   }
 
 
@@ -179,6 +242,8 @@ namespace Lahar
 
   template struct PressureDivergence<2>;
   template struct PressureDivergence<3>;
+  template struct FlatPressureDivergence<2>;
+  template struct FlatPressureDivergence<3>;
   template struct FICInterior<2>;
   template struct FICInterior<3>;
   template struct FICFreeSurface<2>;

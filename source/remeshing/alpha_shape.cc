@@ -189,6 +189,8 @@ namespace Lahar
     });
     if (has_isolated || crosses_wall<dim>(corners, h, walls))
       return Verdict::no_fluid;
+    if (dim == 3 && old_domain.leads_into_hollow(simplex, centroid<dim>(corners), cloud))
+      return Verdict::stays_fluid;
     const bool touches_wall = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] != ParticleKind::fluid;
     });

@@ -7,9 +7,45 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// The volume (area) of the simplex of a face and a point, with a sign.
+    template <int dim>
+    double volume_with(const std::array<Point<dim>, dim> &face, const Point<dim> &tip)
+    {
+      SimplexCorners<dim> corners;
+      std::copy(face.begin(), face.end(), corners.begin());
+      corners[dim] = tip;
+      return signed_volume<dim>(corners);
+    }
+
+    /// Whether the segment from a to b passes through the face or its rim.
+    template <int dim>
+    bool cross(const Point<dim> &a, const Point<dim> &b, const std::array<Point<dim>, dim> &face)
+    {
+      const double volume_a = volume_with<dim>(face, a), volume_b = volume_with<dim>(face, b);
+      if (volume_a * volume_b > 0. || volume_a == volume_b)
+        return false;
+      const Point<dim> place = a + volume_a / (volume_a - volume_b) * (b - a);
+      // Inside, to rounding, if the same side of the face is seen past each of its corners.
+      const double whole = volume_a - volume_b;
+      for (unsigned int c = 0; c < dim; ++c)
+      {
+        std::array<Point<dim>, dim> part = face;
+        part[c]                          = place;
+        if ((volume_with<dim>(part, a) - volume_with<dim>(part, b)) / whole < -1e-10)
+          return false;
+      }
+      return true;
+    }
+  } // namespace
+
+
+
   template <int dim>
   OldDomain<dim>::OldDomain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh)
     : cells_of(cloud.size())
+    , closed_faces_of(cloud.size())
   {
     cells.reserve(mesh.n_cells());
     for (const Simplex<dim> &simplex : mesh.particle_cells())
@@ -22,6 +58,25 @@ namespace Lahar
         cells_of[particle].push_back(cells.size());
       cells.push_back(
         {transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume, cloud.is_own(simplex)});
+    }
+    for (const BoundaryFace &face : mesh.boundary_faces())
+    {
+      std::array<Point<dim>, dim> corners;
+      bool has_fluid           = false;
+      unsigned int n           = 0;
+      const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+        {
+          has_fluid    = has_fluid || cloud.kind[cell[c]] == ParticleKind::fluid;
+          corners[n++] = cloud.position[cell[c]];
+        }
+      if (has_fluid)
+        continue;
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+          closed_faces_of[cell[c]].push_back(closed_faces.size());
+      closed_faces.push_back(corners);
     }
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
@@ -136,6 +191,24 @@ namespace Lahar
         for (const unsigned int cell : cells_of[corner])
           if (is_inside(cell, point))
             return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool OldDomain<dim>::leads_into_hollow(const Simplex<dim> &simplex, const Point<dim> &centroid,
+                                         const ParticleCloud<dim> &cloud) const
+  {
+    if (!std::all_of(simplex.begin(), simplex.end(), [&](const unsigned int i) { return was_wet(i); }))
+      return false;
+    for (const unsigned int from : simplex)
+      if (cloud.kind[from] == ParticleKind::fluid)
+        for (const unsigned int wall : simplex)
+          if (cloud.kind[wall] != ParticleKind::fluid)
+            for (const unsigned int face : closed_faces_of[seeds[wall].first])
+              if (cross<dim>(cloud.position[from], centroid, closed_faces[face]))
+                return true;
     return false;
   }
 

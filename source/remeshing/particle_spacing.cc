@@ -3,6 +3,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <lahar/remeshing/harmful_midpoints.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -285,12 +286,11 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<typename ParticleSpacing<dim>::Edge>
-  ParticleSpacing<dim>::find_insertions(const ParticleCloud<dim> &cloud, const std::vector<Edge> &edges,
-                                        const std::vector<bool> &removed,
-                                        const Migration<dim> &migration) const
+  std::vector<typename ParticleSpacing<dim>::Edge> ParticleSpacing<dim>::find_insertions(
+    const ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
+    const std::vector<Edge> &edges, const std::vector<bool> &removed, const Migration<dim> &migration) const
   {
-    std::vector<std::pair<double, Edge>> candidates;
+    std::vector<Edge> long_edges;
     for (const Edge &edge : edges)
     {
       const auto [a, b] = edge;
@@ -300,8 +300,15 @@ namespace Lahar
       const double h      = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
       const double length = cloud.position[a].distance(cloud.position[b]);
       if (length > longest * h)
-        candidates.push_back({-length, edge});
+        long_edges.push_back(edge);
     }
+    const std::vector<bool> harmful = harmful_midpoints<dim>(long_edges, cloud, walls, mesh, shortest);
+    std::vector<std::pair<double, Edge>> candidates;
+    for (unsigned int e = 0; e < long_edges.size(); ++e)
+      if (!harmful[e])
+        candidates.push_back(
+          {-cloud.position[long_edges[e].first].distance(cloud.position[long_edges[e].second]),
+           long_edges[e]});
     std::sort(candidates.begin(), candidates.end());
 
     // One division per particle and step: its other long edges may be gone afterwards. Of an edge that is divided each
@@ -374,13 +381,13 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+  bool ParticleSpacing<dim>::adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                    const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain,
                                    Migration<dim> &migration) const
   {
     const std::vector<Edge> edges = edges_of<dim>(mesh, cloud.size());
     std::vector<bool> removed     = find_removals(cloud, walls, mesh, edges, migration);
-    std::vector<Edge> inserted    = find_insertions(cloud, edges, removed, migration);
+    std::vector<Edge> inserted    = find_insertions(cloud, walls, mesh, edges, removed, migration);
 
     // What a wall, a solid or a particle that goes owes is handed on to the first fluid particle next to it that stays,
     // else to a wall or solid.
@@ -395,9 +402,9 @@ namespace Lahar
           }
     migration.update(cloud.owed_volume);
 
-    if (migration.is_alone() && inserted.empty() &&
-        std::find(removed.begin(), removed.end(), true) == removed.end())
-      return;
+    bool any = !inserted.empty() || std::find(removed.begin(), removed.end(), true) != removed.end();
+    if (migration.is_alone() && !any)
+      return false;
 
     const unsigned int n_old = cloud.size();
     insert(inserted, migration, cloud);
@@ -406,6 +413,7 @@ namespace Lahar
     new_index.resize(n_old);
     old_domain.renumber(new_index, inserted, cloud.size());
     migration.reinit(cloud);
+    return migration.is_alone() || Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
   }
 
 

@@ -108,6 +108,18 @@ namespace Lahar
 
 
   template <int dim>
+  bool Remesher<dim>::adapt_first_particles(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                            const FluidMesh<dim> &mesh, Migration<dim> &migration) const
+  {
+    if (dim == 2)
+      return false;
+    OldDomain<dim> old_domain(cloud, mesh);
+    return particle_spacing.adapt(cloud, walls, mesh, old_domain, migration);
+  }
+
+
+
+  template <int dim>
   typename Remesher<dim>::Report Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                                        const std::vector<Facet> &solid_facets,
                                                        const double time_step, FluidMesh<dim> &mesh,

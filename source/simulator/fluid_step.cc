@@ -2,6 +2,7 @@
 
 #include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/simulator/fluid_step.h>
+#include <lahar/simulator/slivers.h>
 
 #include <algorithm>
 
@@ -37,6 +38,7 @@ namespace Lahar
     gather(cloud.pressure, state.old_pressure);
     gather(cloud.pressure_rate, state.old_pressure_rate);
     state.time_step = integration.length();
+    state.sliver    = find_slivers(*mesh, cloud);
     state.velocity_factor.resize(mesh->n_vertices());
     state.acceleration_factor.resize(mesh->n_vertices());
     state.mean_velocity = state.old_velocity;
@@ -94,7 +96,7 @@ namespace Lahar
     std::vector<unsigned int> cells;
     const std::vector<double> to = new_volumes();
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (!(to[c] > smallest_volume_ratio * from[c]) && !state.left_out[c])
+      if (!(to[c] > smallest_volume_ratio * from[c]) && !state.left_out[c] && !state.sliver[c])
         cells.push_back(c);
     return cells;
   }

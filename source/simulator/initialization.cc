@@ -14,6 +14,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// Particles that one round inserts and the next one removes would go on for ever.
+    constexpr unsigned int most_first_rounds = 10;
+  } // namespace
+
+
+
   template <int dim>
   void Simulator<dim>::initialize()
   {
@@ -36,19 +44,7 @@ namespace Lahar
     slip_condition.initialize(particles);
     domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
-    try
-    {
-      remesher.create_mesh(particles, obstacles(contour), contour.facets(), geometry.region(), migration,
-                           fluid_mesh);
-    }
-    catch (const RunError &error)
-    {
-      throw InputError(std::string("Initial mesh: ") + error.what() + ".");
-    }
-    if (geometry.has_fluid() && count_on_ranks(fluid_mesh.n_cells()) == 0)
-      throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
-                       ". Allowed: a mesh size well below the size of the fluid.");
-    migrate();
+    create_first_mesh();
     for (const auto &postprocessor : postprocessors)
       postprocessor->initialize(solids);
     time = parameters.start_time;
@@ -57,6 +53,33 @@ namespace Lahar
     momentum.set(fluid_momentum());
     warn_of_coarse_mesh();
     files = file_checksums();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::create_first_mesh()
+  {
+    for (unsigned int n_rounds = 0; n_rounds <= most_first_rounds; ++n_rounds)
+    {
+      const SolidContour<dim> contour(solids.mesh().contour(), particles);
+      if (n_rounds > 0 &&
+          !remesher.adapt_first_particles(particles, obstacles(contour), fluid_mesh, migration))
+        break;
+      try
+      {
+        remesher.create_mesh(particles, obstacles(contour), contour.facets(), geometry.region(), migration,
+                             fluid_mesh);
+      }
+      catch (const RunError &error)
+      {
+        throw InputError(std::string("Initial mesh: ") + error.what() + ".");
+      }
+      if (geometry.has_fluid() && count_on_ranks(fluid_mesh.n_cells()) == 0)
+        throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
+                         ". Allowed: a mesh size well below the size of the fluid.");
+      migrate();
+    }
   }
 
 

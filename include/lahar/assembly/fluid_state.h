@@ -7,6 +7,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <lahar/assembly/fluid_cell.h>
+#include <lahar/remeshing/simplex_geometry.h>
 
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace Lahar
   /**
    * The fluid during one step, by vertex of the mesh: the start of the step (old_…) and the present guess of its end;
    * by cell the dual variable Λ of the primal–dual Newton scheme, the stabilisation parameter τ_s and the viscosity in
-   * it, and whether the cell is left out, see CrushedCells.
+   * it, whether the cell is a sliver, see find_slivers(), and whether it is left out, see CrushedCells.
    */
   template <int dim>
   struct FluidState
@@ -35,7 +36,13 @@ namespace Lahar
     std::vector<double> stabilization, stabilization_viscosity;
     std::vector<Tensor<1, dim>> residual_projection; ///< by vertex, N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
-    std::vector<bool> left_out;
+    std::vector<bool> sliver, left_out;
+
+    /// The corners of a cell whose shape gives its stress and its masses: those of a sliver are of the start of the step.
+    SimplexCorners<dim> shape_of(const unsigned int c, const Simplex<dim> &vertices) const
+    {
+      return corners_of<dim>(vertices, sliver[c] ? old_position : position);
+    }
 
     double time_step = 0.; ///< Δt, s
   };

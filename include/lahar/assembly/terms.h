@@ -71,6 +71,19 @@ namespace Lahar
   };
 
   /**
+   * The same for a flat cell, see Slivers: volume V and area vectors V ∇N_I are those of its corners at the end of the
+   * step, whatever the sign of V is, while the cell keeps the shape that it has at the start for all else. The derivative
+   * of the area vectors is left out of the Jacobian.
+   */
+  template <int dim>
+  struct FlatPressureDivergence
+  {
+    /// @param cell in the shape of the start of the step. @param corners at the end, m.
+    void assemble(const FluidCell<dim> &cell, const std::array<Point<dim>, dim + 1> &corners,
+                  CellSystem<dim> &system) const;
+  };
+
+  /**
    * FIC stabilisation inside the fluid (Oñate, Franci & Carbonell 2014):
    * R_I += ∫ τ_s ∇N_I·(∇p + ρ g) + ∫ τ_s (ρ/κ) N_I (p − p_n − ṗ_n Δt)/Δt².
    */

@@ -49,6 +49,14 @@ namespace Lahar
      */
     bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
+    /**
+     * Whether the way from a fluid corner of the simplex to the @p centroid leaves the old domain through a face between
+     * corners that are all walls' or solids': the hollow behind it, in an edge or corner where walls meet, was no fluid for
+     * lack of a fluid corner only. For simplices that neither pass through a wall nor have a corner that was not wet.
+     */
+    bool leads_into_hollow(const Simplex<dim> &simplex, const Point<dim> &centroid,
+                           const ParticleCloud<dim> &cloud) const;
+
     /// A cell of the last mesh in the numbering of the present particles.
     struct OldCell
     {
@@ -79,7 +87,9 @@ namespace Lahar
     bool share_cell(const unsigned int a, const unsigned int b) const;
 
     std::vector<Cell> cells;
-    std::vector<std::vector<unsigned int>> cells_of; ///< by old index
+    std::vector<std::vector<unsigned int>> cells_of;        ///< by old index
+    std::vector<std::array<Point<dim>, dim>> closed_faces;  ///< without a fluid corner
+    std::vector<std::vector<unsigned int>> closed_faces_of; ///< by old index
     std::vector<std::pair<unsigned int, unsigned int>>
       seeds;                             ///< by new index: old index (twice) or the parents'
     std::vector<unsigned int> new_index; ///< by old index; of a removed particle one beyond all others

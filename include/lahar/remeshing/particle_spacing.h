@@ -25,6 +25,8 @@ namespace Lahar
    * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
    * get a particle in their middle.
    *
+   * In space a long edge stays as it is where that particle would do harm, see harmful_midpoints().
+   *
    * Short edges come in the order of their particles, the longest of the long edges first, and each particle is changed
    * once. As what happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that
    * would change the same particle the first one has its way, an edge is divided if it is the longest one at both of its
@@ -37,9 +39,12 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /// Remove and insert particles along the edges of @p mesh; @p old_domain and @p migration follow. The mesh is of no
-    /// use afterwards. Collective.
-    void adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
+    /**
+     * Remove and insert particles along the edges of @p mesh; @p old_domain and @p migration follow. The mesh is of no
+     * use afterwards. Collective.
+     * @return whether any rank's own particles have changed.
+     */
+    bool adapt(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
                OldDomain<dim> &old_domain, Migration<dim> &migration) const;
 
   private:
@@ -73,7 +78,8 @@ namespace Lahar
                                     const Migration<dim> &migration) const;
 
     /// Edges to divide, by their first particle; that is its owner's decision.
-    std::vector<Edge> find_insertions(const ParticleCloud<dim> &cloud, const std::vector<Edge> &edges,
+    std::vector<Edge> find_insertions(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                      const FluidMesh<dim> &mesh, const std::vector<Edge> &edges,
                                       const std::vector<bool> &removed,
                                       const Migration<dim> &migration) const;
 

@@ -74,6 +74,15 @@ namespace Lahar
     }
 
     /**
+     * Adapt the particles' spacing to the edges of the first mesh, in space, where lattice and walls leave some that are
+     * too long or too short. Done before the first step, as often as anything changes, it leaves nothing to do to the
+     * remeshing of fluid at rest. Afterwards the first mesh is made anew. Collective, as create_mesh().
+     * @return whether anything has changed; if not, @p mesh is the first mesh still.
+     */
+    bool adapt_first_particles(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
+                               Migration<dim> &migration) const;
+
+    /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective;
      * @p migration has brought particles and mesh to where they belong, with region_distance().
      *

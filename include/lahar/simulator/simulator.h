@@ -58,6 +58,8 @@ namespace Lahar
 
     /// Create particles, walls and first mesh. @throws InputError
     void initialize();
+    /// Make the first mesh and adapt the particles to it, until nothing changes.
+    void create_first_mesh();
 
     /// After initialize(), go on from the checkpoint in the output directory. @throws InputError if there is none that
     /// can be read, or if a parameter, or what a mesh file holds, differs from the checkpoint's where a resumed run
