@@ -144,7 +144,8 @@ def test_lock(parent):
     process = run(case, *later)
     check("a lock of another host is kept: status 2", process.returncode == 2, process.returncode, process.err)
     check("... the message names it and says what to do",
-          "process 1 on host 'elsewhere' (since 2026-01-01" in process.err and "remove this file" in process.err and "out/lock" in process.err, process.err)
+          "process 1 on host 'elsewhere' (since 2026-01-01" in process.err and "remove this file" in process.err and
+          "out/lock" in process.err, process.err)
     check("... and the files are left alone", all_files(case) == before)
     os.remove(lock)
     check("without it the run goes on", run(case, *later).returncode == 0)
