@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test what the program `lahar` makes of its output directory when others have it, too, or change what is in it.
 
-lock:      while a run goes on others are refused with its host and process, and nothing happens to its files; --check needs
-           no lock; a killed run's lock is taken over, one of another host is not.
+lock:      while a run goes on others are refused with its host and process, and nothing happens to its files; --check
+           needs no lock; a killed run's lock is taken over, one of another host is not.
 overwrite: a new run over an old one needs --overwrite, which removes the old one's files and no others.
 removed:   files that are removed in mid-run are there again in the end; a removed directory, too; a renamed one, and
            statistics that others have changed, end the run with status 1 and a reason, from where --resume goes on.
@@ -104,7 +104,8 @@ def test_lock(parent):
         what = " ".join(arguments[:1]) or "a new run"
         check(f"{what} beside another one: status 2", second.returncode == 2, second.returncode, second.err)
         check("... host and process are named",
-              f"process {first.pid} on host '{socket.gethostname()}'" in second.err and "'out'" in second.err, second.err)
+              f"process {first.pid} on host '{socket.gethostname()}'" in second.err and "'out'" in second.err,
+              second.err)
     for arguments in (["--check"], ["--check", "--resume", *ENDLESS], ["--print-parameters", "prm"]):
         second = run(case, *arguments)
         check(f"{arguments[0]} needs no lock: status 0", second.returncode == 0, second.returncode, second.err)
@@ -142,8 +143,9 @@ def test_lock(parent):
     before = all_files(case)
     process = run(case, *later)
     check("a lock of another host is kept: status 2", process.returncode == 2, process.returncode, process.err)
-    check("... the message names it and says what to do", "process 1 on host 'elsewhere' (since 2026-01-01" in process.err
-          and "remove this file" in process.err and "out/lock" in process.err, process.err)
+    check("... the message names it and says what to do",
+          "process 1 on host 'elsewhere' (since 2026-01-01" in process.err and "remove this file" in process.err and
+          "out/lock" in process.err, process.err)
     check("... and the files are left alone", all_files(case) == before)
     os.remove(lock)
     check("without it the run goes on", run(case, *later).returncode == 0)
@@ -183,7 +185,8 @@ def test_overwrite(parent):
 
     shutil.rmtree(os.path.join(case, "out", "checkpoint"))
     process = run(case)
-    check("without a checkpoint the message says so", process.returncode == 2 and "no checkpoint" in process.err, process.err)
+    check("without a checkpoint the message says so", process.returncode == 2 and "no checkpoint" in process.err,
+          process.err)
     only = new_case(parent, "only", CASE)
     os.mkdir(os.path.join(only, "out"))
     shutil.copy(os.path.join(only, "case.prm"), os.path.join(only, "out", "parameters.prm"))
@@ -191,8 +194,8 @@ def test_overwrite(parent):
 
 
 def stopped(directory, action, *arguments):
-    """Run, do something to the files while the process is stopped after some steps, and let it end. It is stopped in the
-    third or fourth step after a multiple of five, where it writes lines but neither snapshots nor checkpoints."""
+    """Run, do something to the files while the process is stopped after some steps, and let it end. It is stopped in
+    the third or fourth step after a multiple of five, where it writes lines but neither snapshots nor checkpoints."""
     process = start(directory, *arguments)
     number = 12
     while True:
@@ -226,7 +229,8 @@ def test_removed(parent):
     check("... and of the checkpoint", "Warning: the checkpoint in 'out' was removed" in log, log)
     check("... all are there again but the snapshot", sorted([*all_files(out), "solution-00001.vtu"]) == expected,
           sorted(all_files(out)))
-    check("... as they should be", steps(case) == steps(whole) and read(case, "convergence") == read(whole, "convergence"))
+    check("... as they should be", steps(case) == steps(whole) and
+          read(case, "convergence") == read(whole, "convergence"))
     check("... the list of snapshots leaves one out", read(case, "solution.pvd").count("<DataSet") ==
           read(whole, "solution.pvd").count("<DataSet") - 1)
 
@@ -296,7 +300,8 @@ def test_files(parent):
 def main():
     parent = tempfile.mkdtemp()
     try:
-        {"lock": test_lock, "overwrite": test_overwrite, "removed": test_removed, "files": test_files}[sys.argv[1]](parent)
+        tests = {"lock": test_lock, "overwrite": test_overwrite, "removed": test_removed, "files": test_files}
+        tests[sys.argv[1]](parent)
     finally:
         shutil.rmtree(parent)
     sys.exit(1 if failed else 0)

@@ -252,22 +252,26 @@ def lines(directory, name):
 
 
 def same():
-    text = (COLUMN + TIGHT).replace("End time         = 0.03", "Output interval  = 0.03\nset End time         = 0.06").replace(
+    # Ten digits show differences of rounding only where tolerances are not tight; and the division of space must have
+    # changed before the checkpoint.
+    text = COLUMN.replace("End time         = 0.03", "Output interval  = 0.04\nset End time         = 0.08").replace(
         "= 0.015", "= 0.02")
     with tempfile.TemporaryDirectory() as parent:
-        for n_ranks, solver, package in ((3, "iterative", "MUMPS"), (2, "direct", "KLU"), (2, "direct", "MUMPS")):
-            whole, parts = (new_case(parent, f"{name}-{solver}-{package}", text) for name in ("whole", "parts"))
+        for n_ranks, solver, package in ((2, "iterative", "MUMPS"), (2, "direct", "KLU"), (2, "direct", "MUMPS")):
+            is_reproducible = (solver, package) != ("direct", "MUMPS")
+            whole, parts = (new_case(parent, f"{name}-{solver}-{package}", text + ("" if is_reproducible else TIGHT))
+                            for name in ("whole", "parts"))
             options = ["--set", f"Linear solver/Type={solver}", "--set", f"Linear solver/Direct/Package={package}"]
             what = f"same: {n_ranks} ranks, {solver} solver" + (f" {package}" if solver == "direct" else "")
             check(f"{what}: the whole run", run(whole, n_ranks, *options).returncode == 0)
-            check(f"{what}: a part of it", run(parts, n_ranks, *options, "--set", "End time=0.03").returncode == 0)
+            check(f"{what}: a part of it", run(parts, n_ranks, *options, "--set", "End time=0.04").returncode == 0)
             check(f"{what}: the rest", run(parts, n_ranks, "--resume", *options).returncode == 0)
-            if solver == "direct" and package == "MUMPS":  # of which no two runs are the same
+            if not is_reproducible:
                 compare(what, read_statistics(whole), read_statistics(parts))
                 continue
             for name in ("statistics", "convergence"):
                 check(f"{what}: {name} bit for bit", lines(whole, name) == lines(parts, name) and
-                      len(lines(whole, name)) > 30)
+                      len(lines(whole, name)) > 40)
 
 
 def faults():

@@ -9,8 +9,8 @@
 namespace Lahar
 {
   /**
-   * A checkpoint in an output directory: the first rank's file `checkpoint/state` and, of a run on several ranks, a piece
-   * of each other one, `checkpoint/piece-NUMBER-RANK-of-RANKS`.
+   * A checkpoint in an output directory: the first rank's file `checkpoint/state` and, of a run on several ranks, a
+   * piece of each other one, `checkpoint/piece-NUMBER-RANK-of-RANKS`.
    *
    * Each has a text header with the format's version, the run, the number of the checkpoint in it, the rank, and length
    * and CRC-32 checksum of the binary data that follow; the checksum is one of the header, too. The checksums of all

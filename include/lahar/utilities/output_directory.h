@@ -42,8 +42,8 @@ namespace Lahar
     /// Remove temporary files that killed runs have left. @throws RunError
     void remove_temporaries() const;
 
-    /// Make the directory and the lock anew if someone has removed them since take(). @return what was done, for people.
-    /// @throws RunError if the directory has another name now, or another process has taken it.
+    /// Make the directory and the lock anew if someone has removed them since take(). @return what was done, for
+    /// people. @throws RunError if the directory has another name now, or another process has taken it.
     std::string mend();
 
   private:
