@@ -23,6 +23,9 @@ namespace Lahar
                                                  "Maximum time step", "Largest movement",
                                                  "Output interval",   "Checkpoint/",
                                                  "Nonlinear solver/", "Linear solver/"};
+
+    /// Checkpoints by wall time take at most 1 % of it.
+    constexpr double duration_factor = 100.;
   } // namespace
 
 
@@ -55,7 +58,8 @@ namespace Lahar
                           step_number % parameters.steps_between_checkpoints == 0;
     const bool by_time = parameters.time_between_checkpoints > 0. &&
                          progress->wall_time() - last_checkpoint_wall_time >
-                           parameters.time_between_checkpoints;
+                           std::max(parameters.time_between_checkpoints,
+                                    duration_factor * checkpoint_duration);
     return Utilities::MPI::broadcast(communicator, by_steps || by_time);
   }
 
@@ -131,30 +135,55 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::write_checkpoint()
+  void Simulator<dim>::keep_state()
   {
-    last_checkpoint_wall_time = earlier_wall_time = progress->wall_time();
-    const unsigned int n_ranks                    = Utilities::MPI::n_mpi_processes(communicator);
-    const CheckpointFile::Piece place{step_number, Utilities::MPI::this_mpi_process(communicator), n_ranks};
-    const std::string piece = save_piece();
+    kept_step         = step_number;
+    kept_piece        = save_piece();
+    earlier_wall_time = progress->wall_time();
+    if (!is_first_rank(communicator))
+      return;
+    if (parameter_values.empty())
+      parameter_values = prm.values();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    statistics_size            = statistics.size();
+    convergence_size           = convergence.size();
+    std::ostringstream data;
+    {
+      boost::archive::binary_oarchive archive(data);
+      archive << parameter_values << n_ranks;
+      save_or_load(archive);
+      archive << kept_piece;
+    }
+    kept_state = data.str();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_kept_state()
+  {
+    const double start = progress->wall_time();
+    const CheckpointFile::Piece place{kept_step, Utilities::MPI::this_mpi_process(communicator),
+                                      Utilities::MPI::n_mpi_processes(communicator)};
     on_all_ranks(communicator, [&] {
       if (place.rank > 0)
-        checkpoint.write(place, piece);
+        checkpoint.write(place, kept_piece);
     });
     on_first_rank(communicator, [&] {
-      statistics_size  = statistics.size();
-      convergence_size = convergence.size();
-      std::ostringstream data;
-      {
-        boost::archive::binary_oarchive archive(data);
-        const std::map<std::string, std::string> values = prm.values();
-        archive << values << n_ranks;
-        save_or_load(archive);
-        archive << piece;
-      }
-      checkpoint.write(data.str());
+      checkpoint.write(kept_state);
       checkpoint.remove_pieces_but(place);
     });
+    last_checkpoint_wall_time = progress->wall_time();
+    checkpoint_duration       = last_checkpoint_wall_time - start;
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_checkpoint()
+  {
+    keep_state();
+    write_kept_state();
   }
 
 
@@ -235,6 +264,10 @@ namespace Lahar
   template void Simulator<3>::resume();
   template bool Simulator<2>::checkpoint_is_due() const;
   template bool Simulator<3>::checkpoint_is_due() const;
+  template void Simulator<2>::keep_state();
+  template void Simulator<3>::keep_state();
+  template void Simulator<2>::write_kept_state();
+  template void Simulator<3>::write_kept_state();
   template void Simulator<2>::write_checkpoint();
   template void Simulator<3>::write_checkpoint();
 } // namespace Lahar

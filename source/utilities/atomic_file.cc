@@ -7,15 +7,18 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 namespace Lahar
 {
   void write_atomically(const std::string &file_name, const std::function<void(std::ostream &)> &write)
   {
+    // Whatever goes wrong before all of it is there, memory among it, leaves no file.
+    std::ostringstream text;
+    write(text);
     const std::string temporary = file_name + ".part";
     std::ofstream file(temporary);
-    if (file)
-      write(file);
+    file << text.str();
     file.close();
     if (!file || std::rename(temporary.c_str(), file_name.c_str()) != 0)
     {

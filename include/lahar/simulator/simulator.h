@@ -60,7 +60,7 @@ namespace Lahar
     /// What initialize() or resume() made, in a few lines. Collective.
     std::string sizes() const;
 
-    /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError
+    /// Compute to the end time, or until a signal of StopSignal comes. Leaves a checkpoint. @throws RunError
     void run();
 
     /// What this rank knows of the particles.
@@ -77,7 +77,8 @@ namespace Lahar
   private:
     /**
      * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where
-     * they were and is repeated with half the length.
+     * they were and is repeated with half the length. @throws StopRequest between nonlinear iterations after a signal;
+     * what the step has changed until then is not in the state that was kept.
      */
     void step(double time_step);
 
@@ -117,6 +118,10 @@ namespace Lahar
     void advance_output_time();
     void write_snapshot();
     bool checkpoint_is_due() const;
+    /// Note down all that a checkpoint of this moment holds.
+    void keep_state();
+    /// Write what was noted down last.
+    void write_kept_state();
     void write_checkpoint();
     template <typename Archive>
     void save_or_load(Archive &archive);
@@ -168,7 +173,11 @@ namespace Lahar
     CheckpointFile checkpoint;
     bool resumed                     = false;
     double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
-    std::uintmax_t statistics_size = 0, convergence_size = 0;      ///< of the files at the checkpoint, bytes
+    double checkpoint_duration = 0.;                               ///< of the last one, s
+    std::string kept_piece, kept_state;                            ///< the state on the first rank only
+    unsigned int kept_step = 0;
+    std::map<std::string, std::string> parameter_values;      ///< on the first rank, once they are needed
+    std::uintmax_t statistics_size = 0, convergence_size = 0; ///< of the files at the checkpoint, bytes
   };
 } // namespace Lahar
 

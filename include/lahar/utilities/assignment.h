@@ -20,6 +20,13 @@ namespace Lahar
 
     /// As in "Fluid/Bingham/Density".
     std::string path() const;
+
+    /// For MPI.
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &sections &entry &value &place &directory;
+    }
   };
 
   /**
@@ -27,7 +34,8 @@ namespace Lahar
    *
    * A line is "subsection name", "end", "set entry = value" or "include file"; "#" begins a comment; a line that ends
    * with "\" goes on in the next one. The text is UTF-8, with or without a byte order mark; lines end with LF or CRLF.
-   * The name of an included file is relative to the file that names it. Every subsection ends in its file.
+   * The name of an included file is relative to the file that names it. Every subsection ends in its file. Each file is
+   * read once from its begin to its end, so that it may be a pipe; all together have at most 10 MB.
    * @throws InputError with file and line for anything else.
    */
   std::vector<Assignment> read_parameter_file(const std::string &file_name);

@@ -10,8 +10,9 @@
 namespace Lahar
 {
   /**
-   * Write a file so that it never exists in part: @p write fills a temporary file beside it, which then takes its name.
-   * @throws RunError with the file's name if that fails.
+   * Write a file so that it never exists in part: what @p write puts out goes into a temporary file beside it, which then
+   * takes its name. @throws RunError with the file's name and the reason if that fails, and whatever @p write throws; no
+   * temporary file is left.
    */
   void write_atomically(const std::string &file_name, const std::function<void(std::ostream &)> &write);
 } // namespace Lahar
