@@ -233,24 +233,30 @@ namespace
 
 
 
+#ifndef LAHAR_SANITIZE // AddressSanitizer wants to be the first
   // The loader calls what stands in this section before anything else.
   [[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char **,
                                                                                char **) = prepare_process;
+#endif
 } // namespace
 
 
 
 int main(int argc, char **argv)
 {
-  // A pipe to a reader that has gone away and a file at its limit (ulimit -f) fail like files on a full disk.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  struct sigaction hangup; // ignored under nohup
+  sigaction(SIGHUP, nullptr, &hangup);
   reserve_blas_buffers();
   reserve_memory_for_failure();
   // The program's name and no options: deal.II hands them on to PETSc and Kokkos, which have a say on those of Lahar.
   int n_words   = 1;
   char *words[] = {argv[0], nullptr}, **name = words;
   Utilities::MPI::MPI_InitFinalize mpi(n_words, name, 1);
+  // PETSc, which deal.II starts, has set them all to their defaults.
+  sigaction(SIGHUP, &hangup, nullptr);
+  // A pipe to a reader that has gone away and a file at its limit (ulimit -f) fail like files on a full disk.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   int status         = 0;
   const int failures = exit_status(MPI_COMM_WORLD, [&] { status = lahar_main(argc, argv); });
   return std::max(status, failures);

@@ -55,6 +55,18 @@ subsection Fluid
 end
 """
 
+# Appended to a case for several ranks: rounding is all that may differ.
+TIGHT = """
+subsection Nonlinear solver
+  set Tolerance = 1e-8
+end
+subsection Linear solver
+  subsection Direct
+    set Tolerance = 1e-8
+  end
+end
+"""
+
 # A step that does not end for a thousand iterations.
 ENDLESS = ["--set", "Nonlinear solver/Tolerance=1e-300", "--set", "Nonlinear solver/Maximum iterations=1000"]
 
@@ -257,19 +269,19 @@ def alone(parent):
             used = int(file.read().split()[0]) * resource.getpagesize()
         resource.prlimit(pid, resource.RLIMIT_AS, (used, used))
     struck = time.monotonic()
-    end_of(attempt, "one rank without memory", 1, "lahar: the run failed. ", "ulimit -v")
+    end_of(attempt, "one rank without memory", 1, "lahar: the run failed. ", "not enough memory")
     print("    after %.1f s" % (time.monotonic() - struck))
 
 
 def launcher(parent):
-    whole, stopped = (new_case(parent, name, CASE) for name in ("whole", "stopped"))
+    whole, stopped = (new_case(parent, name, CASE + TIGHT) for name in ("whole", "stopped"))
     end_of(start(whole, 2), "whole", 0)
     attempt = start(stopped, 2)
     wait_for(attempt, lambda: n_rows(stopped) >= 3)
     send(attempt.process.pid, signal.SIGUSR1)
     end_of(attempt, "SIGUSR1 to mpirun", 0, "SIGUSR1: stopped after step")
     before = n_rows(stopped)
-    # Killed in the middle of a step that takes longer than mpirun waits.
+    # Open MPI may leave the ranks time to stop, or kill them.
     attempt = start(stopped, 2, "--resume", "--set", "Checkpoint/Steps between=1")
     wait_for(attempt, lambda: n_rows(stopped) >= before + 3)
     send(attempt.process.pid, signal.SIGINT)
@@ -282,7 +294,7 @@ def launcher(parent):
     resumed = int(text.split("Resumed after step", 1)[1].split()[0])
     check("... from the last step", resumed >= before + 2, resumed, before)
     distance = Statistics(whole).distance(Statistics(stopped))
-    check("statistics as of the whole run", distance[0] == 0., distance)
+    check("statistics as of the whole run", distance[0] <= 1e-6, distance)
 
 
 if __name__ == "__main__":

@@ -32,13 +32,12 @@ int ending_signal(const std::function<void()> &action)
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  for (const auto &[signal, name] :
-       std::vector<std::pair<int, std::string>>{{SIGINT, "SIGINT"},
-                                                {SIGTERM, "SIGTERM"},
-                                                {SIGHUP, "SIGHUP"},
-                                                {SIGUSR1, "SIGUSR1"},
-                                                {SIGUSR2, "SIGUSR2"},
-                                                {SIGXCPU, "SIGXCPU"}})
+  for (const auto &[signal, name] : std::vector<std::pair<int, std::string>>{{SIGINT, "SIGINT"},
+                                                                             {SIGTERM, "SIGTERM"},
+                                                                             {SIGHUP, "SIGHUP"},
+                                                                             {SIGUSR1, "SIGUSR1"},
+                                                                             {SIGUSR2, "SIGUSR2"},
+                                                                             {SIGXCPU, "SIGXCPU"}})
   {
     const StopSignal stop;
     check(name + ": none before it comes", StopSignal::received(MPI_COMM_WORLD) == 0);
