@@ -72,7 +72,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::run()
   {
-    const StopSignal handlers;
+    StopSignal::catch_all();
     start_output();
     double cell_steps     = 0.;
     const double rounding = 1e-10 * parameters.time_step;

@@ -25,28 +25,16 @@ namespace Lahar
         std::signal(SIGTERM, SIG_DFL);
       }
     }
-
-    void set_handlers(void (*const handler)(int))
-    {
-      for (const auto &[signal, name] : names)
-        if (std::signal(signal, handler) == SIG_IGN && signal == SIGHUP)
-          std::signal(signal, SIG_IGN);
-    }
   } // namespace
 
 
 
-  StopSignal::StopSignal()
+  void StopSignal::catch_all()
   {
     last_signal = 0;
-    set_handlers(handle);
-  }
-
-
-
-  StopSignal::~StopSignal()
-  {
-    set_handlers(SIG_DFL);
+    for (const auto &[signal, name] : names)
+      if (std::signal(signal, handle) == SIG_IGN && signal == SIGHUP)
+        std::signal(signal, SIG_IGN);
   }
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test what signals do while a StopSignal lives: all of them ask for a stop, and SIGINT or SIGTERM after one of the two
+// Test what signals do after StopSignal::catch_all(): all of them ask for a stop, and SIGINT or SIGTERM after one of the two
 // ends the program; a SIGHUP that was ignored stays so. What ends the program is tried in processes of their own.
 
 #include <lahar/utilities/stop_signal.h>
@@ -39,14 +39,14 @@ int main(int argc, char **argv)
                                                                              {SIGUSR2, "SIGUSR2"},
                                                                              {SIGXCPU, "SIGXCPU"}})
   {
-    const StopSignal stop;
+    StopSignal::catch_all();
     check(name + ": none before it comes", StopSignal::received(MPI_COMM_WORLD) == 0);
     std::raise(signal);
     check(name + " asks for a stop and is named",
           StopSignal::name(StopSignal::received(MPI_COMM_WORLD)) == name);
   }
 
-  const StopSignal stop;
+  StopSignal::catch_all();
   check("two SIGTERM end the program", ending_signal([] {
                                          std::raise(SIGTERM);
                                          std::raise(SIGTERM);
@@ -62,7 +62,7 @@ int main(int argc, char **argv)
                                    }) == 0);
   check("an ignored SIGHUP stays ignored", ending_signal([] {
                                              std::signal(SIGHUP, SIG_IGN);
-                                             const StopSignal again;
+                                             StopSignal::catch_all();
                                              std::raise(SIGHUP);
                                              if (StopSignal::received(MPI_COMM_SELF) != 0)
                                                std::raise(SIGKILL);
