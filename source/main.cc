@@ -257,6 +257,9 @@ int main(int argc, char **argv)
   // A pipe to a reader that has gone away and a file at its limit (ulimit -f) fail like files on a full disk.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+#ifndef LAHAR_SANITIZE
+  report_crashes();
+#endif
   int status         = 0;
   const int failures = exit_status(MPI_COMM_WORLD, [&] { status = lahar_main(argc, argv); });
   return std::max(status, failures);

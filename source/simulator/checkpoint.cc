@@ -135,13 +135,11 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::keep_state()
+  std::string Simulator<dim>::save_state()
   {
-    kept_step         = step_number;
-    kept_piece        = save_piece();
     earlier_wall_time = progress->wall_time();
     if (!is_first_rank(communicator))
-      return;
+      return "";
     if (parameter_values.empty())
       parameter_values = prm.values();
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
@@ -152,9 +150,19 @@ namespace Lahar
       boost::archive::binary_oarchive archive(data);
       archive << parameter_values << n_ranks;
       save_or_load(archive);
-      archive << kept_piece;
+      archive << kept.piece;
     }
-    kept_state = data.str();
+    return data.str();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::keep_state()
+  {
+    kept.step  = step_number;
+    kept.piece = save_piece();
+    kept.state = save_state();
   }
 
 
@@ -163,14 +171,14 @@ namespace Lahar
   void Simulator<dim>::write_kept_state()
   {
     const double start = progress->wall_time();
-    const CheckpointFile::Piece place{kept_step, Utilities::MPI::this_mpi_process(communicator),
+    const CheckpointFile::Piece place{kept.step, Utilities::MPI::this_mpi_process(communicator),
                                       Utilities::MPI::n_mpi_processes(communicator)};
     on_all_ranks(communicator, [&] {
       if (place.rank > 0)
-        checkpoint.write(place, kept_piece);
+        checkpoint.write(place, kept.piece);
     });
     on_first_rank(communicator, [&] {
-      checkpoint.write(kept_state);
+      checkpoint.write(kept.state);
       checkpoint.remove_pieces_but(place);
     });
     last_checkpoint_wall_time = progress->wall_time();

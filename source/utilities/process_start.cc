@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -105,6 +106,51 @@ namespace Lahar
     const dealii::FullMatrix<double> a(dealii::IdentityMatrix(128));
     dealii::FullMatrix<double> product(128, 128);
     a.mmult(product, a);
+  }
+
+
+
+  namespace
+  {
+    /// The stack may be what could not grow.
+    char crash_stack[1 << 16];
+
+    void say(const char *text)
+    {
+      if (write(STDERR_FILENO, text, std::strlen(text)) < 0)
+        _exit(1);
+    }
+
+    void handle_crash(const int number)
+    {
+      rlimit limit;
+      if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      {
+        say(
+          "lahar: the run failed. There is not enough memory (ulimit -v), and a library has crashed for it.\n");
+        _exit(1);
+      }
+      say(
+        "lahar: the run failed. The program has crashed; option --resume goes on from the last checkpoint.\n");
+      std::signal(number, SIG_DFL);
+      std::raise(number);
+    }
+  } // namespace
+
+
+
+  void report_crashes()
+  {
+    stack_t stack{};
+    stack.ss_sp   = crash_stack;
+    stack.ss_size = sizeof(crash_stack);
+    struct sigaction action
+    {};
+    action.sa_handler = handle_crash;
+    action.sa_flags   = SA_ONSTACK | SA_NODEFER;
+    if (sigaltstack(&stack, nullptr) == 0)
+      for (const int number : {SIGSEGV, SIGBUS})
+        sigaction(number, &action, nullptr);
   }
 
 

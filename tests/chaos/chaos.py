@@ -138,7 +138,9 @@ class Trial:
         while disturbance.after_start and disturbances.BEGUN not in attempt.text() and time.monotonic() < end:
             if attempt.wait(0.02):
                 break
-        if not attempt.wait(self.random.random() * self.duration * (0.8 if disturbance.after_start else 1.2)):
+        if attempt.wait(self.random.random() * self.duration * (0.8 if disturbance.after_start else 1.2)):
+            disturbance = disturbances.Nothing(self.random)  # too late
+        else:
             disturbance.strike(attempt)
         self.outcomes[disturbance.name] += 1
         was_removed = any("files removed" in line for line in self.history)

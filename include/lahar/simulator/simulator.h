@@ -126,6 +126,7 @@ namespace Lahar
     template <typename Archive>
     void save_or_load(Archive &archive);
     std::string save_piece() const;
+    std::string save_state();
     void load_pieces(const std::vector<std::string> &pieces);
     void check_unchanged(const std::map<std::string, std::string> &earlier_values) const;
 
@@ -174,8 +175,11 @@ namespace Lahar
     bool resumed                     = false;
     double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
     double checkpoint_duration = 0.;                               ///< of the last one, s
-    std::string kept_piece, kept_state;                            ///< the state on the first rank only
-    unsigned int kept_step = 0;
+    struct
+    {
+      unsigned int step = 0;
+      std::string piece, state;                               ///< the state on the first rank only
+    } kept;                                                   ///< by keep_state()
     std::map<std::string, std::string> parameter_values;      ///< on the first rank, once they are needed
     std::uintmax_t statistics_size = 0, convergence_size = 0; ///< of the files at the checkpoint, bytes
   };

@@ -21,6 +21,10 @@ namespace Lahar
   /// Let BLAS take the buffers that it keeps, as long as there is room for them.
   void reserve_blas_buffers();
 
+  /// Let a crash say so. Where the address space is limited, a library that has got no memory is taken for the reason, and
+  /// the status is 1 instead of the signal's.
+  void report_crashes();
+
   /// The limit of the address space as in " (ulimit -v: 500000 kB)", or nothing if there is none.
   std::string address_space_limit();
 } // namespace Lahar
