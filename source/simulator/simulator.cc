@@ -80,7 +80,10 @@ namespace Lahar
     bool interrupted      = false; // in the middle of a step
     while (time < parameters.end_time - rounding && (signal = StopSignal::received(communicator)) == 0)
     {
-      keep_state();
+      {
+        TimerOutput::Scope scope(timer, "Keep state");
+        keep_state();
+      }
       const double output_time = last_output_time + parameters.output_interval;
       try
       {
