@@ -46,6 +46,13 @@ namespace Lahar
       return n_processors;
     }
 
+    /// Without the streams of the C++ library, which may not have started, or may be in the middle of something.
+    void say(const char *text)
+    {
+      if (write(STDERR_FILENO, text, std::strlen(text)) < 0)
+        return; // there is no other place
+    }
+
     void open_standard_streams()
     {
       for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0;
@@ -84,17 +91,15 @@ namespace Lahar
     const std::size_t used       = used_address_space();
     if (used + needed <= limit.rlim_cur)
       return;
-    // The streams of the C++ library have not started.
     char text[400];
-    const int length = std::snprintf(
+    std::snprintf(
       text, sizeof(text),
       "lahar: the run failed. The address space is limited to %lu kB (ulimit -v). Needed: %lu kB and what the case "
       "takes, since the libraries take %lu kB, MPI and %u thread%s of BLAS %lu kB.\n",
       static_cast<unsigned long>(limit.rlim_cur / 1024), static_cast<unsigned long>((used + needed) / 1024),
       static_cast<unsigned long>(used / 1024), n_threads, n_threads == 1 ? "" : "s",
       static_cast<unsigned long>(needed / 1024));
-    if (write(STDERR_FILENO, text, length) < 0)
-      _exit(1);
+    say(text);
     _exit(1);
   }
 
@@ -114,12 +119,6 @@ namespace Lahar
   {
     /// The stack may be what could not grow.
     char crash_stack[1 << 16];
-
-    void say(const char *text)
-    {
-      if (write(STDERR_FILENO, text, std::strlen(text)) < 0)
-        _exit(1);
-    }
 
     void handle_crash(const int number)
     {

@@ -7,8 +7,8 @@ column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane wi
           that differs. The pieces of a snapshot are the whole.
 rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
-faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
-          out of memory the others do not wait for ever.
+faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone has
+          too little memory to start the others do not wait for ever.
 
 Usage: ranks.py GROUP LAHAR MPIEXEC
 """
@@ -219,7 +219,7 @@ def faults():
             check(f"faults: {what}: one message", len(re.findall("^lahar: ", result.stderr, re.M)) == 1 and
                   message in result.stderr, result.stderr)
 
-        # 600 MiB of addresses are too few for the libraries and a mesh: the second rank runs out of memory somewhere.
+        # 600,000 kB of addresses are too few for the second rank, which ends before it starts MPI.
         case = [LAHAR, "--set", "Mesh size=0.0015", "case.prm"]
         result = run(directory, 1, program=[*case, ":", "-np", "1", "/bin/sh", "-c",
                                             'ulimit -v 600000; exec "$@"', "sh", *case])
