@@ -6,15 +6,19 @@
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/assignment.h>
+#include <lahar/utilities/failure.h>
 #include <lahar/utilities/plugins.h>
+#include <lahar/utilities/process_start.h>
 #include <lahar/utilities/ranks.h>
+#include <lahar/utilities/standard_output.h>
 #include <lahar/version.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <iostream>
-#include <new>
+#include <csignal>
+#include <memory>
+#include <sstream>
 
 namespace
 {
@@ -30,6 +34,14 @@ namespace
 
   constexpr const char *usage =
     "Usage: lahar [options] case.prm\n       mpirun -np N lahar [options] case.prm\n\nFree-surface Bingham flows by the Particle Finite Element Method.\n";
+
+  /// Print what was asked for, once.
+  void show(const std::string &text)
+  {
+    on_first_rank(MPI_COMM_WORLD, [&] { write_standard_output(text); });
+  }
+
+
 
   /// Read the command line. @return whether there is a case to compute.
   bool parse(const int argc, char **argv, CommandLine &line)
@@ -60,14 +72,17 @@ namespace
       throw InputError(std::string("Command line: ") + error.what() + ". See lahar --help.");
     }
 
-    const bool first_rank = is_first_rank(MPI_COMM_WORLD);
-    if (values.count("help") && first_rank)
-      std::cout << usage << "\n"
-                << visible << "\nExit status: 0 success, 1 the run failed, 2 the input is wrong.\n";
-    if (values.count("version") && first_rank)
-      std::cout << "lahar " << LAHAR_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ")\n";
+    std::ostringstream text;
+    if (values.count("help"))
+      text << usage << "\n"
+           << visible << "\nExit status: 0 success, 1 the run failed, 2 the input is wrong.\n";
+    if (values.count("version"))
+      text << "lahar " << LAHAR_VERSION << " (deal.II " << DEAL_II_PACKAGE_VERSION << ")\n";
     if (values.count("help") || values.count("version"))
+    {
+      show(text.str());
       return false;
+    }
     if (values.count("print-parameters"))
     {
       if (line.print_format != "prm" && line.print_format != "json" && line.print_format != "latex")
@@ -97,12 +112,15 @@ namespace
 
 
 
-  /// What the case and then the command line assign.
+  /// What the case, which the first rank reads once, and then the command line assign.
   std::vector<Assignment> read(const CommandLine &line)
   {
     std::vector<Assignment> assignments;
     if (!line.file_name.empty())
-      assignments = read_parameter_file(line.file_name);
+    {
+      on_first_rank(MPI_COMM_WORLD, [&] { assignments = read_parameter_file(line.file_name); });
+      assignments = Utilities::MPI::broadcast(MPI_COMM_WORLD, assignments, 0);
+    }
     for (const std::string &text : line.overrides)
       assignments.push_back(parse_override(text));
     return assignments;
@@ -166,7 +184,7 @@ namespace
 
 
   template <int dim>
-  void run(const CommandLine &line, const std::vector<Assignment> &assignments)
+  int run(const CommandLine &line, const std::vector<Assignment> &assignments)
   {
     // Without a case there is one solid for show.
     const unsigned int n_solids = std::max(count_solids(assignments), line.file_name.empty() ? 1U : 0U);
@@ -176,28 +194,31 @@ namespace
     of_other_dimension.set("Dimension", std::to_string(5 - dim));
     if (!line.print_format.empty())
     {
-      if (is_first_rank(MPI_COMM_WORLD))
-        print_parameters(prm, line.print_format, std::cout);
-      return;
+      std::ostringstream text;
+      print_parameters(prm, line.print_format, text);
+      show(text.str());
+      return 0;
     }
     prm.assign(assignments, of_other_dimension);
 
-    Simulator<dim> simulator(prm, MPI_COMM_WORLD);
-    if (!line.check)
-      simulator.take_output_directory(line.resume      ? OutputDirectory::Use::resume
-                                      : line.overwrite ? OutputDirectory::Use::overwrite
-                                                       : OutputDirectory::Use::begin);
-    simulator.initialize();
-    if (line.resume)
-      simulator.resume();
-    if (line.check)
-    {
-      const std::string sizes = simulator.sizes();
-      if (is_first_rank(MPI_COMM_WORLD))
-        std::cout << sizes << std::endl;
-      return;
-    }
-    simulator.run();
+    // It outlives what is thrown, because its destructor waits for the other ranks.
+    std::unique_ptr<Simulator<dim>> simulator;
+    return exit_status(MPI_COMM_WORLD, [&] {
+      simulator = std::make_unique<Simulator<dim>>(prm, MPI_COMM_WORLD);
+      if (!line.check)
+        simulator->take_output_directory(line.resume      ? OutputDirectory::Use::resume
+                                         : line.overwrite ? OutputDirectory::Use::overwrite
+                                                          : OutputDirectory::Use::begin);
+      simulator->initialize();
+      if (line.resume)
+        simulator->resume();
+      if (line.check)
+      {
+        show(simulator->sizes() + '\n');
+        return;
+      }
+      simulator->run();
+    });
   }
 
 
@@ -209,43 +230,39 @@ namespace
       return 0;
     const std::vector<Assignment> assignments = read(line);
     load_plugins(find_plugins(assignments));
-    if (find_dimension(assignments) == 2)
-      run<2>(line, assignments);
-    else
-      run<3>(line, assignments);
-    return 0;
+    return find_dimension(assignments) == 2 ? run<2>(line, assignments) : run<3>(line, assignments);
   }
+
+
+
+#ifndef LAHAR_SANITIZE // AddressSanitizer wants to be the first
+  // The loader calls what stands in this section before anything else.
+  [[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char **,
+                                                                               char **) = prepare_process;
+#endif
 } // namespace
 
 
 
 int main(int argc, char **argv)
 {
+  struct sigaction hangup; // ignored under nohup
+  sigaction(SIGHUP, nullptr, &hangup);
+  reserve_blas_buffers();
+  reserve_memory_for_failure();
   // The program's name and no options: deal.II hands them on to PETSc and Kokkos, which have a say on those of Lahar.
   int n_words   = 1;
   char *words[] = {argv[0], nullptr}, **name = words;
   Utilities::MPI::MPI_InitFinalize mpi(n_words, name, 1);
-  try
-  {
-    return lahar_main(argc, argv);
-  }
-  catch (const Lahar::InputError &error)
-  {
-    Lahar::fail_on_all_ranks(MPI_COMM_WORLD, std::string("lahar: wrong input. ") + error.what(), 2);
-    return 2;
-  }
-  catch (const std::bad_alloc &)
-  {
-    Lahar::fail_on_all_ranks(
-      MPI_COMM_WORLD,
-      "lahar: the run failed. There is not enough memory: 'Mesh size' and the elements "
-      "of solids are what it depends on.",
-      1);
-    return 1;
-  }
-  catch (const std::exception &error) // RunError, too
-  {
-    Lahar::fail_on_all_ranks(MPI_COMM_WORLD, std::string("lahar: the run failed. ") + error.what(), 1);
-    return 1;
-  }
+  // PETSc, which deal.II starts, has set them all to their defaults.
+  sigaction(SIGHUP, &hangup, nullptr);
+  // A pipe to a reader that has gone away and a file at its limit (ulimit -f) fail like files on a full disk.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+#ifndef LAHAR_SANITIZE
+  report_crashes();
+#endif
+  int status         = 0;
+  const int failures = exit_status(MPI_COMM_WORLD, [&] { status = lahar_main(argc, argv); });
+  return std::max(status, failures);
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -16,6 +17,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// Of a mesh file, in bytes: some ten million elements.
+    constexpr std::uintmax_t largest_file = 500'000'000;
+  } // namespace
+
+
+
   GmshInput::GmshInput(const std::string &file_name)
     : file_name(file_name)
   {
@@ -24,8 +33,14 @@ namespace Lahar
     const auto status = std::filesystem::status(file_name, error);
     if (!std::filesystem::is_regular_file(status))
       throw InputError("Mesh file '" + file_name + "' " +
-                       (std::filesystem::exists(status) ? "is a directory or a device" : "does not exist") +
+                       (!std::filesystem::exists(status)   ? "does not exist"
+                        : std::filesystem::is_fifo(status) ? "is a pipe"
+                                                           : "is a directory or a device") +
                        ". Allowed: a gmsh file (.msh).");
+    if (const std::uintmax_t size = std::filesystem::file_size(file_name, error);
+        !error && size > largest_file)
+      throw InputError("Mesh file '" + file_name + "' has " + std::to_string(size) +
+                       " bytes. Allowed: " + std::to_string(largest_file) + ".");
     file.open(file_name, std::ios::binary);
     if (!file)
       throw InputError("Mesh file '" + file_name +

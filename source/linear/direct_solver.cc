@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <Amesos.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_Map.h>
 #include <Epetra_MpiComm.h>
 
 #include <lahar/linear/direct_solver.h>
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/linear/schur_complement.h>
+#include <lahar/utilities/process_start.h>
 
 namespace Lahar
 {
@@ -72,7 +74,7 @@ namespace Lahar
     list.sublist("mumps").set("ICNTL(14)", 60); // working space in reserve, per cent
     solver->SetParameters(list);
     if (solver->SymbolicFactorization() != 0)
-      throw RunError("The symbolic factorisation (" + package + ") failed.");
+      throw RunError("The symbolic factorisation (" + package + ") failed" + reason() + ".");
     pattern = new_pattern;
   }
 
@@ -82,7 +84,25 @@ namespace Lahar
   void DirectSolver<dim>::Factorization::factorize()
   {
     if (solver->NumericFactorization() != 0)
-      throw RunError("The factorisation of the linear system failed: the matrix is singular.");
+      throw RunError("The factorisation of the linear system failed" + reason() + ".");
+  }
+
+
+
+  template <int dim>
+  std::string DirectSolver<dim>::Factorization::reason() const
+  {
+    auto *mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
+    if (mumps == nullptr)
+      return ": the matrix is singular";
+    // Of the users' guide's list.
+    constexpr int no_integers = -7, numerically_singular = -10, no_workspace = -13;
+    const int error = mumps->GetINFOG()[0];
+    if (error == no_integers || error == no_workspace)
+      return ": there is not enough memory" + address_space_limit() +
+             ", 'Linear solver/Type = iterative' needs less";
+    return error == numerically_singular ? ": the matrix is singular"
+                                         : " with MUMPS' error " + std::to_string(error);
   }
 
 

@@ -34,6 +34,9 @@ namespace Lahar
           return true;
       return false;
     }
+
+    /// Checkpoints by wall time take at most 1 % of it.
+    constexpr double duration_factor = 100.;
   } // namespace
 
 
@@ -67,7 +70,8 @@ namespace Lahar
                           step_number % parameters.steps_between_checkpoints == 0;
     const bool by_time = parameters.time_between_checkpoints > 0. &&
                          progress->wall_time() - last_checkpoint_wall_time >
-                           parameters.time_between_checkpoints;
+                           std::max(parameters.time_between_checkpoints,
+                                    duration_factor * checkpoint_duration);
     const bool is_removed = is_first_rank(communicator) && piece.number > 0 && !checkpoint.exists(piece);
     progress->message(is_removed ? "Warning: the checkpoint in '" + parameters.output_directory +
                                      "' was removed while the run wrote to it. There is a new one."
@@ -163,14 +167,17 @@ namespace Lahar
   std::string Simulator<dim>::save_state()
   {
     earlier_wall_time                                  = progress->wall_time();
-    statistics_size                                    = statistics.size();
-    convergence_size                                   = convergence.size();
-    const std::map<std::string, std::string> values    = prm.values();
     const std::pair<unsigned int, unsigned int> counts = particles_and_cells();
+    if (!is_first_rank(communicator))
+      return "";
+    if (parameter_values.empty())
+      parameter_values = prm.values();
+    statistics_size  = statistics.size();
+    convergence_size = convergence.size();
     std::ostringstream data;
     {
       boost::archive::binary_oarchive archive(data);
-      archive << values << files << counts;
+      archive << parameter_values << files << counts;
       save_or_load(archive);
     }
     return data.str();
@@ -179,10 +186,18 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::write_checkpoint()
+  void Simulator<dim>::keep_state()
   {
-    last_checkpoint_wall_time = progress->wall_time();
-    const std::string data = save_piece(), state = save_state();
+    kept.piece = save_piece();
+    kept.state = save_state();
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_kept_state()
+  {
+    const double start = progress->wall_time();
     if (piece.run.empty())
       piece.run = Utilities::MPI::broadcast(communicator, CheckpointFile::new_run());
     ++piece.number;
@@ -191,7 +206,7 @@ namespace Lahar
     unsigned int sum = 0; // that of the first rank, whose piece is in the state, is not needed
     on_all_ranks(communicator, [&] {
       if (piece.rank > 0)
-        sum = checkpoint.write(piece, data);
+        sum = checkpoint.write(piece, kept.piece);
     });
     const std::vector<unsigned int> sums = Utilities::MPI::gather(communicator, sum);
     on_first_rank(communicator, [&] {
@@ -200,11 +215,22 @@ namespace Lahar
       std::ostringstream all;
       {
         boost::archive::binary_oarchive archive(all);
-        archive << sums << state << data;
+        archive << sums << kept.state << kept.piece;
       }
       checkpoint.write(piece, all.str());
       checkpoint.remove_pieces_but(piece);
     });
+    last_checkpoint_wall_time = progress->wall_time();
+    checkpoint_duration       = last_checkpoint_wall_time - start;
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::write_checkpoint()
+  {
+    keep_state();
+    write_kept_state();
   }
 
 
@@ -321,6 +347,10 @@ namespace Lahar
   template void Simulator<3>::resume();
   template bool Simulator<2>::checkpoint_is_due() const;
   template bool Simulator<3>::checkpoint_is_due() const;
+  template void Simulator<2>::keep_state();
+  template void Simulator<3>::keep_state();
+  template void Simulator<2>::write_kept_state();
+  template void Simulator<3>::write_kept_state();
   template void Simulator<2>::write_checkpoint();
   template void Simulator<3>::write_checkpoint();
 } // namespace Lahar

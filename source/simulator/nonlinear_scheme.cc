@@ -100,13 +100,15 @@ namespace Lahar
 
 
   template <int dim>
-  NonlinearReport NonlinearScheme<dim>::solve(StepProblem<dim> &problem)
+  NonlinearReport NonlinearScheme<dim>::solve(StepProblem<dim> &problem,
+                                              const std::function<void()> &before_iteration)
   {
     NonlinearReport report;
     try
     {
       do
       {
+        before_iteration();
         ++report.iterations;
         iterate(problem, report);
         report.increments.emplace_back(report.velocity_increment, report.pressure_increment);

@@ -40,9 +40,9 @@ namespace Lahar
       "Steps between", "0", Patterns::Anything(),
       "Write a checkpoint whenever this number of time steps is done; 0: steps do not count.");
     prm.declare_entry(
-      "Minutes between", "10", Patterns::Anything(),
-      "Write a checkpoint whenever this wall time in minutes has passed; 0: it does not count. "
-      "There is one at the end of a run, too, and when it is stopped by SIGINT or SIGTERM.");
+      "Minutes between", "1", Patterns::Anything(),
+      "Write a checkpoint whenever this wall time in minutes has passed, and a hundred times what the last one took; 0: "
+      "it does not count. There is one at the end of a run, too, and when a signal stops it.");
     prm.leave_subsection();
   }
 

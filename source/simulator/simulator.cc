@@ -73,6 +73,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::run()
   {
+    StopSignal::catch_all();
     try
     {
       compute();
@@ -93,18 +94,28 @@ namespace Lahar
     start_output();
     double cell_steps     = 0.;
     const double rounding = 1e-10 * parameters.time_step;
-    const StopSignal stop;
-    const auto is_stopped = [&] {
-      return Utilities::MPI::max(stop.received() ? 1U : 0U, communicator) == 1U;
-    };
-    bool stopped = false;
-    while (time < parameters.end_time - rounding && !(stopped = is_stopped()))
+    int signal            = 0;
+    bool interrupted      = false; // in the middle of a step
+    while (time < parameters.end_time - rounding && (signal = StopSignal::received(communicator)) == 0)
     {
+      {
+        TimerOutput::Scope scope(timer, "Keep state");
+        keep_state();
+      }
       const double output_time = last_output_time + parameters.output_interval;
-      step(step_control->next(time,
-                              parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
-                                                              : parameters.end_time,
-                              fastest_movement(), parameters.largest_movement));
+      try
+      {
+        step(step_control->next(time,
+                                parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
+                                                                : parameters.end_time,
+                                fastest_movement(), parameters.largest_movement));
+      }
+      catch (const StopRequest &)
+      {
+        signal      = StopSignal::received(communicator);
+        interrupted = true;
+        break;
+      }
       cell_steps += n_cells;
 
       TimerOutput::Scope scope(timer, "Output");
@@ -117,10 +128,12 @@ namespace Lahar
       if (checkpoint_is_due())
         write_checkpoint();
     }
-    write_checkpoint();
-    if (stopped)
-      progress->message(stop.name() + ": stopped after step " + std::to_string(step_number) + " at " +
-                        std::to_string(time) + " s. Option --resume goes on from here.");
+    if (!interrupted)
+      keep_state();
+    write_kept_state();
+    if (signal != 0)
+      progress->message(StopSignal::name(signal) + ": stopped after step " + std::to_string(step_number) +
+                        " at " + std::to_string(time) + " s. Option --resume goes on from here.");
     if (cell_steps > 0.)
       progress->summary(timer, cell_steps);
   }
@@ -210,7 +223,10 @@ namespace Lahar
         time_integration.start_step(time_step, step_number == 0);
         problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
                            remeshing.arrives, solids, time + time_step, migration);
-        report = scheme->solve(problem);
+        report = scheme->solve(problem, [this] {
+          if (StopSignal::received(communicator) != 0)
+            throw StopRequest();
+        });
         problem.check_closed_parts();
         check_movements();
         accepted = true;
@@ -222,7 +238,7 @@ namespace Lahar
         if (!step_control->halve(time_step))
         {
           write_snapshot();
-          write_checkpoint();
+          write_kept_state();
           throw RunError(message.str() +
                          "; the last snapshot and the checkpoint show the state before this step");
         }

@@ -20,13 +20,19 @@ namespace Lahar
   {
     constexpr unsigned int deepest_include = 20;
 
+    /// Of a parameter file and all that it includes, in bytes.
+    constexpr std::size_t largest_input = 10'000'000;
+
     /// Reads one file, and by others of its kind those that it includes.
     class FileReader
     {
     public:
-      FileReader(const std::string &file_name, const std::string &named_by, const unsigned int depth)
+      /// @param n_bytes is where the bytes are counted that this file and the others have.
+      FileReader(const std::string &file_name, const std::string &named_by, const unsigned int depth,
+                 std::size_t &n_bytes)
         : file_name(file_name)
         , depth(depth)
+        , n_bytes(n_bytes)
       {
         const std::string where = named_by.empty() ? "" : named_by + ": ";
         std::error_code error;
@@ -36,10 +42,11 @@ namespace Lahar
           file.open(file_name, std::ios::binary);
         if (!file.is_open())
           throw InputError(where + "Cannot read the parameter file '" + file_name + "', which " +
-                           (!std::filesystem::exists(status)        ? "does not exist"
-                            : std::filesystem::is_directory(status) ? "is a directory"
-                                                                    : "cannot be opened") +
-                           ". Allowed: a file with read permission" +
+                           (!std::filesystem::exists(status)             ? "does not exist"
+                            : std::filesystem::is_directory(status)      ? "is a directory"
+                            : std::filesystem::is_character_file(status) ? "is a device"
+                                                                         : "cannot be opened") +
+                           ". Allowed: a file or a pipe with read permission" +
                            (named_by.empty() ? "." : ", relative to the file that names it."));
       }
 
@@ -47,7 +54,7 @@ namespace Lahar
       {
         std::string joined;
         bool goes_on = false;
-        for (std::string line; std::getline(file, line);)
+        for (std::string line; get_line(line);)
         {
           ++line_number;
           check_encoding(line);
@@ -70,6 +77,23 @@ namespace Lahar
       [[noreturn]] void fail(const std::string &found, const std::string &allowed) const
       {
         throw InputError(place() + ": found " + found + ". Allowed: " + allowed + ".");
+      }
+
+      /// Read a line, with or without its end. @return whether there is one.
+      bool get_line(std::string &line)
+      {
+        line.clear();
+        for (char c; file.get(c);)
+        {
+          if (++n_bytes > largest_input)
+            throw InputError(file_name + ": with this file the input is longer than " +
+                             std::to_string(largest_input) +
+                             " bytes. Allowed: that many in all parameter files together.");
+          if (c == '\n')
+            return true;
+          line += c;
+        }
+        return !line.empty();
       }
 
       std::string place() const
@@ -133,7 +157,7 @@ namespace Lahar
           if (depth == deepest_include)
             throw InputError(place() + ": more than " + std::to_string(deepest_include) +
                              " files include each other. Allowed: a file that does not include itself.");
-          FileReader((std::filesystem::path(directory) / rest).string(), place(), depth + 1)
+          FileReader((std::filesystem::path(directory) / rest).string(), place(), depth + 1, n_bytes)
             .read(sections, result);
         }
         else
@@ -144,6 +168,7 @@ namespace Lahar
       std::string file_name;
       std::ifstream file;
       unsigned int depth, line_number = 0;
+      std::size_t &n_bytes;
       std::vector<unsigned int> opened; ///< the lines of the subsections that are open
     };
   } // namespace
@@ -174,7 +199,8 @@ namespace Lahar
   {
     std::vector<Assignment> result;
     std::vector<std::string> sections;
-    FileReader(file_name, "", 0).read(sections, result);
+    std::size_t n_bytes = 0;
+    FileReader(file_name, "", 0, n_bytes).read(sections, result);
     return result;
   }
 

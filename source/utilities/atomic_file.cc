@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace Lahar
 {
@@ -38,11 +39,13 @@ namespace Lahar
 
   void write_atomically(const std::string &file_name, const std::function<void(std::ostream &)> &write)
   {
+    // Whatever goes wrong before all of it is there, memory among it, leaves no file.
+    std::ostringstream text;
+    write(text);
     const std::string temporary = file_name + "." + process_name() + temporary_ending,
                       directory = std::filesystem::path(file_name).parent_path().string();
     std::ofstream file(temporary);
-    if (file)
-      write(file);
+    file << text.str();
     file.close();
     if (!file || !sync(temporary) || std::rename(temporary.c_str(), file_name.c_str()) != 0 ||
         !sync(directory.empty() ? "." : directory))

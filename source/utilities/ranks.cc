@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/utilities/exceptions.h>
+#include <lahar/utilities/failure.h>
 #include <lahar/utilities/ranks.h>
 
 #include <boost/serialization/utility.hpp>
@@ -38,35 +39,23 @@ namespace Lahar
 
   void on_all_ranks(const MPI_Comm &communicator, const std::function<void()> &action)
   {
-    enum Outcome : int
-    {
-      success,
-      wrong_input,
-      failed_run
-    } outcome = success;
-    std::string message;
+    Failure failure{0, ""};
     try
     {
       action();
     }
-    catch (const InputError &error)
+    catch (...)
     {
-      outcome = wrong_input;
-      message = error.what();
-    }
-    catch (const RunError &error)
-    {
-      outcome = failed_run;
-      message = error.what();
+      failure = Failure::current();
     }
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator),
                        rank    = Utilities::MPI::this_mpi_process(communicator),
-                       failed  = Utilities::MPI::min(outcome == success ? n_ranks : rank, communicator);
+                       failed  = Utilities::MPI::min(failure.status == 0 ? n_ranks : rank, communicator);
     if (failed == n_ranks)
       return;
-    const auto news = Utilities::MPI::broadcast(communicator,
-                                                std::make_pair(static_cast<int>(outcome), message), failed);
-    if (news.first == wrong_input)
+    const auto news = Utilities::MPI::broadcast(communicator, std::make_pair(failure.status, failure.message),
+                                                failed);
+    if (news.first == 2)
       throw InputError(news.second);
     throw RunError(news.second);
   }

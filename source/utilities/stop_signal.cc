@@ -3,49 +3,54 @@
 #include <lahar/utilities/stop_signal.h>
 
 #include <csignal>
+#include <utility>
 
 namespace Lahar
 {
   namespace
   {
+    constexpr std::pair<int, const char *> names[] = {{SIGINT, "SIGINT"},   {SIGTERM, "SIGTERM"},
+                                                      {SIGHUP, "SIGHUP"},   {SIGUSR1, "SIGUSR1"},
+                                                      {SIGUSR2, "SIGUSR2"}, {SIGXCPU, "SIGXCPU"}};
+
     // A signal handler can reach nothing else.
     volatile std::sig_atomic_t last_signal = 0;
 
     void handle(const int signal)
     {
       last_signal = signal;
-      std::signal(signal, SIG_DFL);
+      if (signal == SIGINT || signal == SIGTERM)
+      {
+        std::signal(SIGINT, SIG_DFL);
+        std::signal(SIGTERM, SIG_DFL);
+      }
     }
   } // namespace
 
 
 
-  StopSignal::StopSignal()
+  void StopSignal::catch_all()
   {
     last_signal = 0;
-    std::signal(SIGINT, handle);
-    std::signal(SIGTERM, handle);
+    for (const auto &[signal, name] : names)
+      if (std::signal(signal, handle) == SIG_IGN && signal == SIGHUP)
+        std::signal(signal, SIG_IGN);
   }
 
 
 
-  StopSignal::~StopSignal()
+  int StopSignal::received(const MPI_Comm &communicator)
   {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    return dealii::Utilities::MPI::max(static_cast<int>(last_signal), communicator);
   }
 
 
 
-  bool StopSignal::received() const
+  std::string StopSignal::name(const int signal)
   {
-    return last_signal != 0;
-  }
-
-
-
-  std::string StopSignal::name() const
-  {
-    return last_signal == SIGINT ? "SIGINT" : "SIGTERM";
+    for (const auto &[number, name] : names)
+      if (number == signal)
+        return name;
+    return "";
   }
 } // namespace Lahar

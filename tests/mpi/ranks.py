@@ -11,8 +11,8 @@ pieces:   so is a piece in the place of another rank's, of another checkpoint or
           that has taken another way.
 same:     a run that is resumed on as many ranks is, bit for bit, the one that is not, with the iterative solver and with
           KLU; with MUMPS, which adds up in the order in which messages come, to rounding.
-faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone runs
-          out of memory the others do not wait for ever.
+faults:   wrong input and failed runs end all ranks with the status of one rank and one message; if one rank alone has
+          too little memory to start the others do not wait for ever.
 
 Usage: ranks.py GROUP LAHAR MPIEXEC
 """
@@ -287,7 +287,7 @@ def faults():
             check(f"faults: {what}: one message", len(re.findall("^lahar: ", result.stderr, re.M)) == 1 and
                   message in result.stderr, result.stderr)
 
-        # 600 MiB of addresses are too few for the libraries and a mesh: the second rank runs out of memory somewhere.
+        # 600,000 kB of addresses are too few for the second rank, which ends before it starts MPI.
         case = [LAHAR, "--overwrite", "--set", "Mesh size=0.0015", "case.prm"]
         result = run(directory, 1, program=[*case, ":", "-np", "1", "/bin/sh", "-c",
                                             'ulimit -v 600000; exec "$@"', "sh", *case])

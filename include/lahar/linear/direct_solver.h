@@ -59,6 +59,8 @@ namespace Lahar
                    const unsigned int pattern);
       void factorize();
       void apply();
+      /// Why the package has failed, behind the sentence that it has.
+      std::string reason() const;
     };
 
     void factorize_whole(const BlockSystem<dim> &system);

@@ -5,6 +5,7 @@
 
 #include <lahar/simulator/step_problem.h>
 
+#include <functional>
 #include <memory>
 
 namespace Lahar
@@ -44,8 +45,9 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     static std::unique_ptr<NonlinearScheme> create(Parameters &prm);
 
+    /// @param before_iteration is called before each iteration; what it throws leaves the solution.
     /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
-    NonlinearReport solve(StepProblem<dim> &problem);
+    NonlinearReport solve(StepProblem<dim> &problem, const std::function<void()> &before_iteration);
 
     unsigned int max_iterations() const
     {

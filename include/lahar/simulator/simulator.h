@@ -69,7 +69,7 @@ namespace Lahar
     /// What initialize() or resume() made, in a few lines. Collective.
     std::string sizes() const;
 
-    /// Compute to the end time, or until SIGINT or SIGTERM comes. Leaves a checkpoint. @throws RunError, whose reason
+    /// Compute to the end time, or until a signal of StopSignal comes. Leaves a checkpoint. @throws RunError, whose reason
     /// stands in `log`, too.
     void run();
 
@@ -87,7 +87,8 @@ namespace Lahar
   private:
     /**
      * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where
-     * they were and is repeated with half the length.
+     * they were and is repeated with half the length. @throws StopRequest between nonlinear iterations after a signal;
+     * what the step has changed until then is not in the state that was kept.
      */
     void step(double time_step);
 
@@ -134,6 +135,10 @@ namespace Lahar
     void advance_output_time();
     void write_snapshot();
     bool checkpoint_is_due() const;
+    /// Note down all that a checkpoint of this moment holds.
+    void keep_state();
+    /// Write what was noted down last.
+    void write_kept_state();
     void write_checkpoint();
     template <typename Archive>
     void save_or_load(Archive &archive);
@@ -198,7 +203,13 @@ namespace Lahar
     std::map<std::string, unsigned int> files; ///< file_checksums() as the run began
     bool resumed                     = false;
     double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
-    std::uintmax_t statistics_size = 0, convergence_size = 0;      ///< of the files at the checkpoint, bytes
+    double checkpoint_duration = 0.;                               ///< of the last one, s
+    struct
+    {
+      std::string piece, state;                               ///< the state on the first rank only
+    } kept;                                                   ///< by keep_state()
+    std::map<std::string, std::string> parameter_values;      ///< on the first rank, once they are needed
+    std::uintmax_t statistics_size = 0, convergence_size = 0; ///< of the files at the checkpoint, bytes
   };
 } // namespace Lahar
 

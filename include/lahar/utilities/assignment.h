@@ -23,6 +23,13 @@ namespace Lahar
 
     /// The absolute name of a file that the value calls @p name.
     std::string absolute_name(const std::string &name) const;
+
+    /// For MPI.
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &sections &entry &value &place &directory;
+    }
   };
 
   /**
@@ -30,7 +37,8 @@ namespace Lahar
    *
    * A line is "subsection name", "end", "set entry = value" or "include file"; "#" begins a comment; a line that ends
    * with "\" goes on in the next one. The text is UTF-8, with or without a byte order mark; lines end with LF or CRLF.
-   * The name of an included file is relative to the file that names it. Every subsection ends in its file.
+   * The name of an included file is relative to the file that names it. Every subsection ends in its file. Each file is
+   * read once from its begin to its end, so that it may be a pipe; all together have at most 10 MB.
    * @throws InputError with file and line for anything else.
    */
   std::vector<Assignment> read_parameter_file(const std::string &file_name);

@@ -16,8 +16,8 @@ namespace Lahar
   bool is_first_rank(const MPI_Comm &communicator);
 
   /**
-   * Do on the first rank alone what may fail there. @throws InputError, RunError on all ranks with the first rank's
-   * message if the action threw one. Collective.
+   * Do on the first rank alone what may fail there. @throws InputError on all ranks with the first rank's message if the
+   * action threw one, RunError if it threw anything else. Collective.
    */
   void on_first_rank(const MPI_Comm &communicator, const std::function<void()> &action);
 

@@ -3,27 +3,33 @@
 #ifndef lahar_utilities_stop_signal_h
 #define lahar_utilities_stop_signal_h
 
+#include <deal.II/base/mpi.h>
+
+#include <exception>
 #include <string>
 
 namespace Lahar
 {
+  /// Leaves a time step that a signal has interrupted; no failure.
+  class StopRequest : public std::exception
+  {};
+
   /**
-   * While an object of this class lives, the signals SIGINT (Ctrl-C) and SIGTERM do not end the program but ask it to
-   * stop when it can. The same signal again ends it at once.
+   * After catch_all() these signals do not end the program but ask it to stop when it can: SIGINT (Ctrl-C), SIGTERM,
+   * SIGHUP (the connection is lost), SIGUSR1, SIGUSR2 and SIGXCPU (batch systems before they end a job). A second SIGINT
+   * or SIGTERM ends it at once; the others, which come in rows, only ask. A SIGHUP that is ignored (nohup) stays so. What
+   * comes when the run has ended already does not spoil its exit status.
    */
   class StopSignal
   {
   public:
-    StopSignal();
-    ~StopSignal();
+    static void catch_all();
 
-    StopSignal(const StopSignal &)            = delete;
-    StopSignal &operator=(const StopSignal &) = delete;
+    /// The signal that any of the ranks has received, or 0; the same on all ranks. Collective.
+    static int received(const MPI_Comm &communicator);
 
-    bool received() const;
-
-    /// Name of the signal that came.
-    std::string name() const;
+    /// As in "SIGTERM".
+    static std::string name(const int signal);
   };
 } // namespace Lahar
 

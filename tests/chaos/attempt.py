@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run of the program `lahar` on some ranks, and what chaos.py wants to know of its processes."""
+import glob
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from program_test import on_ranks  # noqa: E402
+
+FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Backtrace", "Segmentation fault", "[ 0] ",
+          "std::", "Lahar::", "dealii::", "Process received signal"]
+
+MARK = "LAHAR_CHAOS"  # the environment variable by which the processes of an attempt are known
+
+
+def status_word(text):
+    """The state of a process in /proc."""
+    return text.rsplit(")", 1)[1].split()[0]
+
+
+class Attempt:
+    number = 0
+
+    def __init__(self, lahar, mpiexec, directory, n_ranks, arguments):
+        Attempt.number += 1
+        self.directory, self.n_ranks, self.arguments = directory, n_ranks, arguments
+        self.mark = "%s=%d-%d" % (MARK, os.getpid(), Attempt.number)
+        command, environment = on_ranks([lahar, *arguments, "case.prm"], mpiexec, n_ranks)
+        # Open MPI's single ranks share a directory that goes with the first one that ends.
+        session = os.path.join(directory, "mpi")
+        os.makedirs(session, exist_ok=True)
+        environment = dict(environment, OMPI_MCA_orte_tmpdir_base=session, **dict([self.mark.split("=")]))
+        self.begin = time.monotonic()
+        self.output = open(os.path.join(directory, "screen"), "w+", errors="replace")
+        self.process = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+                                        stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True,
+                                        preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+
+    def pids(self, of_ranks=True):
+        """Of the ranks that run, or of all processes."""
+        result = []
+        for path in glob.glob("/proc/[0-9]*"):
+            try:
+                with open(path + "/environ", "rb") as file:
+                    if self.mark.encode() not in file.read().split(b"\0"):
+                        continue
+                with open(path + "/stat") as file:
+                    ended = status_word(file.read()) in "ZX"
+                is_rank = os.path.basename(os.readlink(path + "/exe")) == "lahar"
+                if not ended and (is_rank or not of_ranks):
+                    result.append(int(os.path.basename(path)))
+            except (OSError, IndexError):
+                continue
+        return sorted(result)
+
+    def wait(self, seconds):
+        """Whether it ends in that time."""
+        try:
+            self.process.wait(max(0., seconds))
+            return True
+        except subprocess.TimeoutExpired:
+            return False
+
+    def wait_for_others(self, seconds):
+        """Whether no process is left of it after that time."""
+        end = time.monotonic() + seconds
+        while self.pids(False):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.05)
+        return True
+
+    def kill(self):
+        for pid in self.pids(False):
+            send(pid, signal.SIGKILL)
+        self.process.wait()
+
+    def text(self):
+        self.output.flush()
+        with open(self.output.name, errors="replace") as file:
+            return file.read()
+
+    def message(self):
+        """The reasons that it gives for its end."""
+        return "\n".join(re.findall("^lahar: .*$", self.text(), re.M))
+
+    def frames(self):
+        text = self.text()
+        return [frame for frame in FRAMES if frame in text]
+
+    def close(self):
+        self.output.close()
+
+
+def send(pid, number):
+    try:
+        os.kill(pid, number)
+    except ProcessLookupError:
+        pass
