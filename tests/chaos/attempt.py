@@ -6,6 +6,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -36,10 +37,22 @@ class Attempt:
         os.makedirs(session, exist_ok=True)
         environment = dict(environment, OMPI_MCA_orte_tmpdir_base=session, **dict([self.mark.split("=")]))
         self.begin = time.monotonic()
-        self.output = open(os.path.join(directory, "screen"), "w+", errors="replace")
         self.process = subprocess.Popen(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL,
-                                        stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
                                         preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+        # Not a file of the attempt's own, which could not hold its message when files cannot grow.
+        self.screen = os.path.join(directory, "screen")
+        self.reader = threading.Thread(target=self.copy_output, args=(open(self.screen, "wb"),), daemon=True)
+        self.reader.start()
+
+    def copy_output(self, file):
+        with file:
+            while True:
+                data = self.process.stdout.read1(65536)
+                if not data:
+                    return
+                file.write(data)
+                file.flush()
 
     def pids(self, of_ranks=True):
         """Of the ranks that run, or of all processes."""
@@ -81,8 +94,9 @@ class Attempt:
         self.process.wait()
 
     def text(self):
-        self.output.flush()
-        with open(self.output.name, errors="replace") as file:
+        if self.process.poll() is not None:
+            self.reader.join(10.)  # until nothing is in the pipe
+        with open(self.screen, errors="replace") as file:
             return file.read()
 
     def message(self):
@@ -94,7 +108,8 @@ class Attempt:
         return [frame for frame in FRAMES if frame in text]
 
     def close(self):
-        self.output.close()
+        self.reader.join(10.)
+        self.process.stdout.close()
 
 
 def send(pid, number):

@@ -150,7 +150,7 @@ class Trial:
             return True
         if status == 2:
             raise Failure("status or message: refused after '%s': %s" % (disturbance.name, attempt.message()))
-        if status == 0 and "stopped after step" not in open(attempt.output.name, errors="replace").read():
+        if status == 0 and "stopped after step" not in attempt.text():
             return True
         self.resume_copy(directory)
         return False
