@@ -3,7 +3,6 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <lahar/remeshing/harmful_midpoints.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -281,101 +280,6 @@ namespace Lahar
     for (const double flag : changes.removed)
       removed.push_back(flag > 0.);
     return removed;
-  }
-
-
-
-  template <int dim>
-  std::vector<typename ParticleSpacing<dim>::Edge> ParticleSpacing<dim>::find_insertions(
-    const ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
-    const std::vector<Edge> &edges, const std::vector<bool> &removed, const Migration<dim> &migration) const
-  {
-    std::vector<Edge> long_edges;
-    for (const Edge &edge : edges)
-    {
-      const auto [a, b] = edge;
-      if (removed[a] || removed[b] ||
-          (cloud.kind[a] != ParticleKind::fluid && cloud.kind[b] != ParticleKind::fluid))
-        continue;
-      const double h      = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
-      const double length = cloud.position[a].distance(cloud.position[b]);
-      if (length > longest * h)
-        long_edges.push_back(edge);
-    }
-    const std::vector<bool> harmful = harmful_midpoints<dim>(long_edges, cloud, walls, mesh, shortest);
-    std::vector<std::pair<double, Edge>> candidates;
-    for (unsigned int e = 0; e < long_edges.size(); ++e)
-      if (!harmful[e])
-        candidates.push_back(
-          {-cloud.position[long_edges[e].first].distance(cloud.position[long_edges[e].second]),
-           long_edges[e]});
-    std::sort(candidates.begin(), candidates.end());
-
-    // One division per particle and step: its other long edges may be gone afterwards. Of an edge that is divided each
-    // end knows the number of the other one.
-    constexpr double none = -1.;
-    std::vector<double> other(cloud.size(), none);
-    for (bool any = true; any;)
-    {
-      const auto is_free = [&](const Edge &edge) {
-        return other[edge.first] + other[edge.second] == 2. * none;
-      };
-      std::vector<unsigned int> first(cloud.size(), candidates.size());
-      for (unsigned int c = candidates.size(); c-- > 0;)
-        if (const Edge &edge = candidates[c].second; is_free(edge))
-          first[edge.first] = first[edge.second] = c;
-      any = false;
-      for (unsigned int c = 0; c < candidates.size(); ++c)
-        if (const Edge &edge = candidates[c].second; first[edge.first] == c && first[edge.second] == c)
-        {
-          other[edge.first]  = cloud.number[edge.second];
-          other[edge.second] = cloud.number[edge.first];
-          any                = any || cloud.is_own(edge.first) || cloud.is_own(edge.second);
-        }
-      if (!migration.is_alone())
-        any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
-      migration.update(other);
-    }
-
-    std::vector<Edge> divided;
-    for (unsigned int a = 0; a < cloud.size(); ++a)
-      if (other[a] > cloud.number[a])
-        if (const unsigned int b = cloud.find(static_cast<std::uint64_t>(other[a])); b < cloud.size())
-          divided.emplace_back(a, b);
-    return divided;
-  }
-
-
-
-  template <int dim>
-  void ParticleSpacing<dim>::insert(std::vector<Edge> &edges, const Migration<dim> &migration,
-                                    ParticleCloud<dim> &cloud) const
-  {
-    using Key         = std::pair<double, std::uint64_t>; // the longest first
-    const auto key_of = [&](const Edge &edge) {
-      return Key(-cloud.position[edge.first].distance(cloud.position[edge.second]), cloud.number[edge.first]);
-    };
-    std::sort(edges.begin(), edges.end(),
-              [&](const Edge &e, const Edge &f) { return key_of(e) < key_of(f); });
-    std::vector<Key> keys;
-    for (const Edge &edge : edges)
-      if (cloud.is_own(edge.first))
-        keys.push_back(key_of(edge));
-    if (!migration.is_alone())
-    {
-      const auto of_ranks = Utilities::MPI::all_gather(migration.communicator(), keys);
-      keys.clear();
-      for (const std::vector<Key> &of_rank : of_ranks)
-        keys.insert(keys.end(), of_rank.begin(), of_rank.end());
-      std::sort(keys.begin(), keys.end());
-    }
-    const std::uint64_t first = cloud.next_number;
-    for (const Edge &edge : edges)
-    {
-      const unsigned int i = cloud.append_midpoint(edge.first, edge.second);
-      cloud.number[i] = first + (std::lower_bound(keys.begin(), keys.end(), key_of(edge)) - keys.begin());
-    }
-    cloud.next_number = first + keys.size();
   }
 
 

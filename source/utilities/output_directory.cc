@@ -58,12 +58,20 @@ namespace Lahar
 
   OutputDirectory::~OutputDirectory()
   {
-    lock.release();
-    if (descriptor >= 0)
-      ::close(descriptor);
+    release();
     std::error_code ignored; // there is something in it
     for (auto directory = made_here.rbegin(); directory != made_here.rend() && !ignored; ++directory)
       std::filesystem::remove(*directory, ignored);
+  }
+
+
+
+  void OutputDirectory::release()
+  {
+    lock.release();
+    if (descriptor >= 0)
+      ::close(descriptor);
+    descriptor = -1;
   }
 
 

@@ -32,6 +32,9 @@ namespace Lahar
     OutputDirectory(const OutputDirectory &)            = delete;
     OutputDirectory &operator=(const OutputDirectory &) = delete;
 
+    /// Give the directory back, before the end.
+    void release();
+
     /// Create the directory if need be and take it for this process. @throws InputError if that is not possible, if
     /// another process has it, or if it holds an earlier run that is neither to be overwritten nor resumed.
     void take(const Use use);
