@@ -61,6 +61,7 @@ namespace Lahar
 
 
 
-  static const Factory<FluidLaw>::Registration<HerschelBulkley> herschel_bulkley(
-    "Herschel-Bulkley", "A power of the strain rate and a yield stress, regularised by Papanastasiou.");
+  static const Factory<FluidLaw>::Registration<HerschelBulkley>
+    herschel_bulkley("Herschel-Bulkley",
+                     "A power of the strain rate and a yield stress, regularised by Papanastasiou.");
 } // namespace Lahar

@@ -39,8 +39,8 @@ namespace Lahar
 
 
 
-  static const Factory<Postprocessor<2>>::Registration<LargestSpeed<2>> largest_speed_2d("Largest speed",
-                                                                                         "The largest speed of the particles.");
-  static const Factory<Postprocessor<3>>::Registration<LargestSpeed<3>> largest_speed_3d("Largest speed",
-                                                                                         "The largest speed of the particles.");
+  static const Factory<Postprocessor<2>>::Registration<LargestSpeed<2>>
+    largest_speed_2d("Largest speed", "The largest speed of the particles.");
+  static const Factory<Postprocessor<3>>::Registration<LargestSpeed<3>>
+    largest_speed_3d("Largest speed", "The largest speed of the particles.");
 } // namespace Lahar
