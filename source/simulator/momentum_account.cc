@@ -7,8 +7,7 @@ namespace Lahar
 {
   template <int dim>
   Tensor<1, dim> MomentumAccount<dim>::compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                               const double density, const TimeIntegration &integration,
-                                               const MPI_Comm &communicator)
+                                               const double density, const MPI_Comm &communicator) const
   {
     Tensor<1, dim> momentum;
     for (const Simplex<dim> &cell : mesh.particle_cells())
@@ -16,7 +15,7 @@ namespace Lahar
       {
         Tensor<1, dim> sum;
         for (const unsigned int i : cell)
-          sum += integration.carried_velocity(cloud.velocity[i], cloud.algorithmic_acceleration[i]);
+          sum += cloud.velocity[i] - carried_time * cloud.algorithmic_acceleration[i];
         momentum += density * signed_volume<dim>(corners_of<dim>(cell, cloud.position)) / (dim + 1) * sum;
       }
     return Utilities::MPI::sum(momentum, communicator);

@@ -125,8 +125,7 @@ namespace Lahar
   template <int dim>
   Tensor<1, dim> Simulator<dim>::fluid_momentum() const
   {
-    return MomentumAccount<dim>::compute(fluid_mesh, particles, law->density(), time_integration,
-                                         communicator);
+    return momentum.compute(fluid_mesh, particles, law->density(), communicator);
   }
 
 
@@ -262,6 +261,7 @@ namespace Lahar
       const double new_volume = fluid_volume();
       change_by_solver += (new_volume - volume) / initial_volume;
       volume = new_volume;
+      momentum.start_step(time_integration.carried_time());
       momentum.set(fluid_momentum());
     }
 

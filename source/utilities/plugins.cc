@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <deal.II/base/mpi.h>
 #include <lahar/plugin.h>
+
 #include <lahar/utilities/exceptions.h>
 #include <lahar/utilities/factory.h>
+#include <lahar/utilities/failure.h>
 #include <lahar/utilities/plugins.h>
 
 #include <dlfcn.h>
 
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 
 #define LAHAR_TEXT(name) #name
@@ -35,28 +40,55 @@ namespace Lahar
 
 
 
+    [[noreturn]] void fail_throwing(const std::string &file_name)
+    {
+      fail(file_name, "plugins that can be loaded; this one throws: " + Failure::current().message);
+    }
+
+
+
+    /// The library that is loaded at the moment, for tell_and_exit().
+    std::string loading;
+
+    /// What a library's constructors throw passes through the loader, which is C, to whom loads it, or terminates the program.
+    [[noreturn]] void tell_and_exit()
+    {
+      const int status = exit_status(MPI_COMM_WORLD, [] { fail_throwing(loading); });
+      MPI_Finalize();
+      std::_Exit(status);
+    }
+
+
+
+    void *open(const std::string &file_name)
+    {
+      loading                               = file_name;
+      const std::terminate_handler previous = std::set_terminate(tell_and_exit);
+      void *library                         = nullptr;
+      try
+      {
+        library = dlopen(file_name.c_str(), RTLD_NOW | RTLD_LOCAL);
+      }
+      catch (...)
+      {
+        fail_throwing(file_name);
+      }
+      std::set_terminate(previous);
+      return library;
+    }
+
+
+
     void load(const std::string &file_name)
     {
       if (!std::filesystem::is_regular_file(file_name))
         fail(file_name, "shared libraries that exist");
-      const std::string build = LAHAR_BUILD, rule = "plugins built for this program, " + build;
-      void *library = nullptr;
-      try
-      {
-        // With a slash: not searched for along the system's path.
-        library = dlopen(std::filesystem::absolute(file_name).c_str(), RTLD_NOW | RTLD_LOCAL);
-      }
-      catch (const std::exception &error)
-      {
-        fail(file_name, std::string("plugins that can be loaded; this one throws: ") + error.what());
-      }
-      catch (...)
-      {
-        fail(file_name, "plugins that can be loaded; this one throws");
-      }
+      const std::string build = LAHAR_BUILD, rule = "plugins built for this program, " + build,
+                        whole = std::filesystem::absolute(file_name).string(); // not searched for
+      void *library           = open(whole);
       if (library == nullptr)
-        fail(file_name, rule + " (" + linker_message(std::filesystem::absolute(file_name)) + ")");
-      // lahar_setup_plugin() of LaharConfig.cmake defines it.
+        fail(file_name, rule + " (" + linker_message(whole) + ")");
+      // lahar_add_plugin() of LaharConfig.cmake defines it.
       if (dlsym(library, "lahar_plugin") == nullptr)
         fail(file_name, rule + "; this library is no plugin");
     }

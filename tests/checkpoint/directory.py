@@ -176,7 +176,7 @@ def test_overwrite(parent):
     check("--overwrite: status 0", process.returncode == 0, process.err)
     expected = ["checkpoint/state", "convergence", "log", "notes.txt", "parameters.prm", "snapshots.png",
                 "solution-00000.vtu", "solution-00001.vtu", "solution-final.vtu", "solution.pvd", "statistics",
-                "statistics.old"]
+                "statistics.old", "walls.vtu"]
     check("... leaves its own files and those of others", sorted(all_files(os.path.join(case, "out"))) == expected,
           sorted(all_files(os.path.join(case, "out"))))
     fresh = new_case(parent, "fresh", CASE)

@@ -308,7 +308,8 @@ def check_output(name, out):
     check(name + ": files", {"parameters.prm", "statistics", "solution.pvd", "log"} <= files, files)
     check(name + ": no half-written files", not [f for f in files if f.endswith(".part") or f.endswith(".tmp")], files)
     entries = ElementTree.parse(os.path.join(out, "solution.pvd")).getroot().findall(".//DataSet")
-    names = [entry.attrib["file"] for entry in entries]
+    names = [entry.attrib["file"] for entry in entries if entry.attrib["part"] != "2"]
+    names += sorted({entry.attrib["file"] for entry in entries if entry.attrib["part"] == "2"})  # walls stay the same
     check(name + ": solution.pvd lists the .vtu files",
           names and sorted(names) == sorted(os.path.basename(p) for p in glob.glob(out + "/*.vtu")), names)
     for file in names:

@@ -69,7 +69,8 @@ def test_example(parent):
     check("... with the plugin's column", "fastest (m/s)" in names, names)
     column = names.index("fastest (m/s)")
     speeds = [float(line.split()[column]) for line in lines if not line.startswith("#")]
-    check("... which is a speed of a column 0.2 m high", 0.1 < max(speeds) < (2. * 9.81 * 0.2)**0.5, max(speeds))
+    # Ritter's front of a dam break without friction.
+    check("... which is a speed of a column 0.2 m high", 0.1 < max(speeds) < 2. * (9.81 * 0.2)**0.5, max(speeds))
     return lahar, os.path.join(source, "build", "libexample.so")
 
 
@@ -86,7 +87,7 @@ def test_refused(parent, lahar, plugin):
 
     text_file = os.path.join(parent, "text.so")
     with open(text_file, "w") as file:
-        file.write("not a library\n")
+        file.write("not a library\n" * 1000)
     other = library("other", 'extern "C" const char lahar_9_9_9_dealii_9_4_Release[];\n'
                              'extern "C" { extern const char *lahar_plugin; const char *lahar_plugin = lahar_9_9_9_dealii_9_4_Release; }\n')
     throws = library("throws", '#include <stdexcept>\nstatic const int value = [] { throw std::runtime_error("no such luck");'

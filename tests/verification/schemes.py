@@ -3,7 +3,7 @@
 
 After an impact small differences grow. There the fronts must agree within a mesh size, no step may be repeated, and the
 segregated scheme may take half as many iterations again as the coupled one. All forms of the stabilisation agree on the
-front of a collapsing column within half a mesh size.
+front of a collapsing column within a mesh size.
 """
 
 import numpy as np
@@ -26,7 +26,7 @@ def compare_forms(check, reference):
     for form in ("residual", "FIC interior", "FIC"):
         run = read_run(check.run("schemes/coupled.prm", f"Stabilization/Form={form}"))
         difference = np.abs(run["front (m)"] - reference["front (m)"]).max()
-        check.below(f"{form}, largest difference of the front over the mesh size", difference / mesh_size, 0.5)
+        check.below(f"{form}, largest difference of the front over the mesh size", difference / mesh_size, 1.)
         check.below(f"{form}, repeated steps", run["Rejected steps"].max(), 0.)
         # The terms of FIC on the free surface do not sum to zero.
         check.below(f"{form}, volume change by the solver", np.abs(run["Volume change by solver"]).max(),

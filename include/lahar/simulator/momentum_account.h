@@ -4,7 +4,6 @@
 #define lahar_simulator_momentum_account_h
 
 #include <lahar/postprocess/postprocessor.h>
-#include <lahar/simulator/time_integration.h>
 
 namespace Lahar
 {
@@ -25,6 +24,12 @@ namespace Lahar
   class MomentumAccount
   {
   public:
+    /// A step begins, in which u has its meaning until the next one: @p new_carried_time is (γ − 1) Δt, s.
+    void start_step(const double new_carried_time)
+    {
+      carried_time = new_carried_time;
+    }
+
     /// Forces have led to @p value, or fluid has left.
     void set(const Tensor<1, dim> &value)
     {
@@ -38,10 +43,9 @@ namespace Lahar
       momentum = value;
     }
 
-    /// P of all ranks. Collective.
-    static Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                  const double density, const TimeIntegration &integration,
-                                  const MPI_Comm &communicator);
+    /// P of all ranks at present. Collective.
+    Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const double density,
+                           const MPI_Comm &communicator) const;
 
     /// Columns 'Momentum x (N s)' … and 'Momentum change by remeshing x (N s)' ….
     void add_columns(TableHandler &statistics) const;
@@ -49,10 +53,11 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &momentum &change_by_remeshing;
+      archive &carried_time &momentum &change_by_remeshing;
     }
 
   private:
+    double carried_time = 0.; ///< (γ − 1) Δt of the last step, s
     Tensor<1, dim> momentum, change_by_remeshing;
   };
 } // namespace Lahar

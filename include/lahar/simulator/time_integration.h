@@ -91,11 +91,10 @@ namespace Lahar
               a};
     }
 
-    /// u = v − (γ − 1) Δt a, which steps of one length change by Δt a; with γ = 3/2 it is w.
-    template <int dim>
-    Tensor<1, dim> carried_velocity(const Tensor<1, dim> &v, const Tensor<1, dim> &a) const
+    /// (γ − 1) Δt, s, see MomentumAccount.
+    double carried_time() const
     {
-      return v - ((gamma - 1.) * time_step) * a;
+      return (gamma - 1.) * time_step;
     }
 
     /**
