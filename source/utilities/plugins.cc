@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/base/mpi.h>
 #include <lahar/plugin.h>
 
 #include <lahar/utilities/exceptions.h>
@@ -10,8 +9,6 @@
 
 #include <dlfcn.h>
 
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
 
 #define LAHAR_TEXT(name) #name
@@ -40,41 +37,19 @@ namespace Lahar
 
 
 
-    [[noreturn]] void fail_throwing(const std::string &file_name)
-    {
-      fail(file_name, "plugins that can be loaded; this one throws: " + Failure::current().message);
-    }
-
-
-
-    /// The library that is loaded at the moment, for tell_and_exit().
-    std::string loading;
-
-    /// What a library's constructors throw passes through the loader, which is C, to whom loads it, or terminates the program.
-    [[noreturn]] void tell_and_exit()
-    {
-      const int status = exit_status(MPI_COMM_WORLD, [] { fail_throwing(loading); });
-      MPI_Finalize();
-      std::_Exit(status);
-    }
-
-
-
     void *open(const std::string &file_name)
     {
-      loading                               = file_name;
-      const std::terminate_handler previous = std::set_terminate(tell_and_exit);
-      void *library                         = nullptr;
+      // The loader is declared to throw nothing, and passes on what a library's constructors throw. A compiler that saw
+      // which function it is would leave out what catches that.
+      void *(*const volatile open_library)(const char *, int) = dlopen;
       try
       {
-        library = dlopen(file_name.c_str(), RTLD_NOW | RTLD_LOCAL);
+        return open_library(file_name.c_str(), RTLD_NOW | RTLD_LOCAL);
       }
       catch (...)
       {
-        fail_throwing(file_name);
+        fail(file_name, "plugins that can be loaded; this one throws: " + Failure::current().message);
       }
-      std::set_terminate(previous);
-      return library;
     }
 
 
