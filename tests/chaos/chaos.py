@@ -162,7 +162,7 @@ class Trial:
             return
         copy = os.path.join(self.directory, "copy")
         shutil.rmtree(copy, ignore_errors=True)
-        shutil.copytree(directory, copy)
+        shutil.copytree(directory, copy, ignore=shutil.ignore_patterns("mpi"))  # sessions of mpirun's
         damaged = self.random.random() < 0.5
         if damaged:
             files = [path for path in pathlib.Path(copy, "out", "checkpoint").iterdir() if path.is_file()]
