@@ -114,6 +114,9 @@ class Trial:
         if self.has_said_no:
             self.outcomes["said no"] += 1
             return self.outcomes
+        if not os.path.exists(os.path.join(parts, "out")):
+            self.outcomes["removed as a whole after the last step"] += 1  # there is nothing that could be taken for a result
+            return self.outcomes
         expected, found = Statistics(whole), Statistics(parts)
         if self.alone:
             difference = expected.difference(found)
