@@ -9,7 +9,7 @@ namespace Lahar
 {
   /**
    * The momentum of the fluid in the mesh, N s (N s/m in 2D), and what changes it without a force: new cells, particles
-   * that are inserted, removed or stopped at walls and solids, cells that are dropped.
+   * that are inserted, removed or stopped at walls and solids. Fluid that leaves the domain takes its own with it.
    *
    *   P = ∫ ρ u,   u = v − (γ − 1) Δt a,
    *

@@ -58,8 +58,6 @@ namespace Lahar
 
     /// Create particles, walls and first mesh. @throws InputError
     void initialize();
-    /// Make the first mesh and adapt the particles to it, until nothing changes.
-    void create_first_mesh();
 
     /// After initialize(), go on from the checkpoint in the output directory. @throws InputError if there is none that
     /// can be read, or if a parameter, or what a mesh file holds, differs from the checkpoint's where a resumed run
@@ -118,6 +116,8 @@ namespace Lahar
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     std::vector<NodeConstraint<dim>> constraints() const;
+    /// Make the first mesh and adapt the particles to it, until nothing changes.
+    void create_first_mesh();
     void set_initial_velocities();
     /// Where the first mesh does not show the shapes that were asked for.
     void warn_of_coarse_mesh();
