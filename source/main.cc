@@ -6,6 +6,7 @@
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/assignment.h>
+#include <lahar/utilities/case_structure.h>
 #include <lahar/utilities/failure.h>
 #include <lahar/utilities/plugins.h>
 #include <lahar/utilities/process_start.h>
@@ -128,72 +129,18 @@ namespace
 
 
 
-  /// The case's entry 'Dimension' before the parameters, which depend on it, are declared; a wrong value shows later.
-  unsigned int find_dimension(const std::vector<Assignment> &assignments)
-  {
-    unsigned int dimension = 2;
-    for (const Assignment &assignment : assignments)
-      if (assignment.path() == "Dimension")
-        dimension = assignment.value == "3" ? 3 : 2;
-    return dimension;
-  }
-
-
-
-  /// The plugins that the case names, by absolute names.
-  std::vector<std::string> find_plugins(const std::vector<Assignment> &assignments)
-  {
-    std::vector<std::string> names;
-    for (const Assignment &assignment : assignments)
-      if (assignment.path() == "Plugins")
-      {
-        names.clear();
-        for (const std::string &name : split_list(assignment.value, ';'))
-          names.push_back(assignment.absolute_name(name));
-      }
-    return names;
-  }
-
-
-
-  /// How many solids the case counts or describes; what is wrong with the input shows later.
-  unsigned int count_solids(const std::vector<Assignment> &assignments)
-  {
-    unsigned int counted = 0, described = 0;
-    const auto number = [](const std::string &text) {
-      try
-      {
-        return static_cast<unsigned int>(std::clamp(to_number(text), 0., double(Solids<2>::maximum)));
-      }
-      catch (const std::invalid_argument &)
-      {
-        return 0U;
-      }
-    };
-    for (const Assignment &assignment : assignments)
-    {
-      if (assignment.path() == "Solids/Number of solids")
-        counted = number(assignment.value);
-      if (assignment.sections.size() > 1 && assignment.sections[0] == "Solids" &&
-          assignment.sections[1].rfind("Solid ", 0) == 0)
-        described = std::max(described, number(assignment.sections[1].substr(6)));
-    }
-    return std::max(counted, described);
-  }
-
-
-
   template <int dim>
-  int run(const CommandLine &line, const std::vector<Assignment> &assignments)
+  int run(const CommandLine &line, const CaseStructure &structure, const std::vector<Assignment> &assignments)
   {
-    // Without a case there is one solid for show.
-    const unsigned int n_solids = std::max(count_solids(assignments), line.file_name.empty() ? 1U : 0U);
     Parameters prm, of_other_dimension;
-    Simulator<dim>::declare_parameters(prm, n_solids);
-    Simulator<5 - dim>::declare_parameters(of_other_dimension, n_solids);
+    Simulator<dim>::declare_parameters(prm, structure);
+    Simulator<5 - dim>::declare_parameters(of_other_dimension, structure);
     of_other_dimension.set("Dimension", std::to_string(5 - dim));
     if (!line.print_format.empty())
     {
+      prm.set_names("Fluids", structure.fluids);
+      prm.set_names("Boundaries", structure.boundaries);
+      prm.set_names("Solids", structure.solids);
       std::ostringstream text;
       print_parameters(prm, line.print_format, text);
       show(text.str());
@@ -204,7 +151,7 @@ namespace
     // It outlives what is thrown, because its destructor waits for the other ranks.
     std::unique_ptr<Simulator<dim>> simulator;
     return exit_status(MPI_COMM_WORLD, [&] {
-      simulator = std::make_unique<Simulator<dim>>(prm, MPI_COMM_WORLD);
+      simulator = std::make_unique<Simulator<dim>>(prm, structure, MPI_COMM_WORLD);
       if (!line.check)
         simulator->take_output_directory(line.resume      ? OutputDirectory::Use::resume
                                          : line.overwrite ? OutputDirectory::Use::overwrite
@@ -229,8 +176,12 @@ namespace
     if (!parse(argc, argv, line))
       return 0;
     const std::vector<Assignment> assignments = read(line);
-    load_plugins(find_plugins(assignments));
-    return find_dimension(assignments) == 2 ? run<2>(line, assignments) : run<3>(line, assignments);
+    CaseStructure structure(assignments);
+    load_plugins(structure.plugins);
+    if (line.file_name.empty()) // to show which entries there are
+      structure.complete();
+    return structure.dimension == 2 ? run<2>(line, structure, assignments)
+                                    : run<3>(line, structure, assignments);
   }
 
 

@@ -20,8 +20,9 @@ namespace Lahar
 
 
   template <int dim>
-  Walls<dim>::Walls(const std::vector<WallFacet<dim>> &facets)
+  Walls<dim>::Walls(const std::vector<WallFacet<dim>> &facets, const std::vector<std::string> &names)
     : all_facets(facets)
+    , names(names)
   {
     std::vector<Box> boxes;
     for (unsigned int f = 0; f < facets.size(); ++f)

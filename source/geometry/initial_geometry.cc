@@ -66,7 +66,7 @@ namespace Lahar
         if (h > extent * (1. + 1e-10))
         {
           std::ostringstream message;
-          message << "Parameter 'Mesh size' is " << h << " m, larger than fluid body " << body->name()
+          message << "Parameter 'Mesh size' is " << h << " m, larger than fluid " << body->name()
                   << ", which is " << extent << " m in direction "
                   << "xyz"[d] << ". Allowed: at most the size of every body.";
           throw InputError(message.str());
@@ -89,21 +89,21 @@ namespace Lahar
         std::ostringstream message;
         message << "Parameter 'Mesh size' is " << h << " m, which makes about " << n << " particles of "
                 << name << (mesh_size.is_uniform() ? "" : " with 'Remeshing/Refined boxes'")
-                << ". Allowed: 'Geometry/Largest number of particles', which is " << max_particles
-                << ", of all bodies and walls.";
+                << ". Allowed: 'Largest number of particles', which is " << max_particles
+                << ", of all fluids and boundaries.";
         throw InputError(message.str());
       }
     };
     for (const auto &body : bodies)
       check(body->estimate_size(h) + mesh_size.estimate_refinement(body->box(), dim),
-            "fluid body " + body->name());
+            "fluid " + body->name());
     for (const WallShape<dim> &wall : wall_shapes)
     {
       std::vector<Point<dim>> corners;
       for (const WallFacet<dim> &facet : wall.facets())
         corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
       check(wall.estimate_size(h) + mesh_size.estimate_refinement(box_around(corners), dim - 1),
-            "wall " + wall.name);
+            "boundary " + wall.name);
     }
   }
 
@@ -115,7 +115,7 @@ namespace Lahar
     const auto tolerance = [h](const FluidBody<dim> &body) { return touching * h + body.roughness(); };
     const auto check     = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
       if (body.signed_distance(p) < -tolerance(body))
-        throw InputError("Fluid body " + body.name() + " overlaps " + name + " at " + to_text(p) +
+        throw InputError("Fluid " + body.name() + " overlaps " + name + " at " + to_text(p) +
                              " m. Fluid and walls may touch, not overlap.");
     };
 
@@ -124,20 +124,20 @@ namespace Lahar
       for (const WallShape<dim> &wall : wall_shapes)
       {
         for (const Point<dim> &p : wall.samples(h))
-          check(*bodies[b], p, "wall " + wall.name);
+          check(*bodies[b], p, "boundary " + wall.name);
         if (wall.holds(fillings[b], touching * h))
           continue;
         for (const Point<dim> &p : fillings[b])
           if (wall.encloses(p, tolerance(*bodies[b])))
             throw InputError(
-              "Fluid body " + bodies[b]->name() + " overlaps wall " + wall.name + " at " + to_text(p) +
+              "Fluid " + bodies[b]->name() + " overlaps boundary " + wall.name + " at " + to_text(p) +
               " m, whose line is closed and so a rigid body. Allowed: fluid and walls that touch; fluid that "
               "lies wholly inside a closed line, as in a tank.");
       }
       for (unsigned int other = 0; other < bodies.size(); ++other)
         if (b != other)
           for (const Point<dim> &p : fillings[other])
-            check(*bodies[b], p, "fluid body " + bodies[other]->name());
+            check(*bodies[b], p, "fluid " + bodies[other]->name());
     }
   }
 
@@ -161,14 +161,14 @@ namespace Lahar
     };
     for (const WallShape<dim> &wall : wall_shapes)
       for (const Point<dim> &p : wall.samples(h))
-        check("Wall " + wall.name, p, is_deep_inside(p, tolerance));
+        check("Boundary " + wall.name, p, is_deep_inside(p, tolerance));
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const double depth = tolerance + bodies[b]->roughness();
       for (const Point<dim> &p : fillings[b])
-        check("Fluid body " + bodies[b]->name(), p, is_deep_inside(p, depth));
+        check("Fluid " + bodies[b]->name(), p, is_deep_inside(p, depth));
       for (const WallFacet<dim> &facet : solids.wall_facets())
-        check("Fluid body " + bodies[b]->name(), facet.corners[0],
+        check("Fluid " + bodies[b]->name(), facet.corners[0],
               bodies[b]->signed_distance(facet.corners[0]) < -depth);
     }
   }
@@ -212,13 +212,13 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Point<dim>> InitialGeometry<dim>::create_walls(const MeshSize<dim> &h, const Fillings &fillings,
-                                                             const SolidContour<dim> &solids,
-                                                             Walls<dim> &walls) const
+  std::vector<std::pair<Point<dim>, unsigned int>>
+  InitialGeometry<dim>::create_walls(const MeshSize<dim> &h, const Fillings &fillings,
+                                     const SolidContour<dim> &solids, Walls<dim> &walls) const
   {
     const Walls<dim> solid_facets(solids.wall_facets());
     std::vector<WallFacet<dim>> facets;
-    std::vector<Point<dim>> points;
+    std::vector<std::pair<Point<dim>, unsigned int>> points;
     for (const WallShape<dim> &wall : wall_shapes)
     {
       for (const WallFacet<dim> &facet : wall.facets())
@@ -226,9 +226,12 @@ namespace Lahar
       if (!wall.slip)
         for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h), h))
           if (!is_near(solid_facets, p, contact * h(p)))
-            points.push_back(p);
+            points.emplace_back(p, wall.boundary);
     }
-    walls = Walls<dim>(facets);
+    std::vector<std::string> names;
+    for (const Boundary<dim> &boundary : boundaries)
+      names.push_back(boundary.name);
+    walls = Walls<dim>(facets, names);
     return points;
   }
 
@@ -238,7 +241,8 @@ namespace Lahar
   void InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
                                     ParticleCloud<dim> &cloud, Walls<dim> &walls) const
   {
-    check_mesh_scale(h.coarsest());
+    for (const Fluid<dim> &fluid : fluids)
+      fluid.shape->check_scale(h.coarsest());
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     Fillings fillings;
@@ -250,14 +254,14 @@ namespace Lahar
     PointSet<dim> places;
     for (const Point<dim> &p : cloud.position)
       places.insert(p);
-    const auto append = [&](const Point<dim> &p, const ParticleKind kind) {
-      cloud.append(p, kind, h(p));
+    const auto append = [&](const Point<dim> &p, const ParticleKind kind, const unsigned int part) {
+      cloud.append(p, kind, h(p), part);
       places.insert(p);
     };
     // Two walls may share points.
-    for (const Point<dim> &p : create_walls(h, fillings, solids, walls))
+    for (const auto &[p, boundary] : create_walls(h, fillings, solids, walls))
       if (places.near(p, contact * h(p)).empty())
-        append(p, ParticleKind::wall);
+        append(p, ParticleKind::wall, boundary);
 
     std::vector<WallFacet<dim>> covered = solids.wall_facets();
     for (const WallFacet<dim> &facet : walls.facets())
@@ -277,7 +281,8 @@ namespace Lahar
               : body.signed_distance(cloud.position[i]) <
                   (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
           return;
-      append(p, ParticleKind::fluid);
+      append(p, ParticleKind::fluid, fluid_of[b]);
+      cloud.velocity.back() = fluids[fluid_of[b]].initial_velocity(p);
       body_of.push_back(b);
     };
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -319,7 +324,7 @@ namespace Lahar
       for (const WallFacet<dim> &facet : wall.facets())
       {
         facets.push_back(facet);
-        owners.push_back("wall " + wall.name);
+        owners.push_back("boundary " + wall.name);
       }
     for (const WallFacet<dim> &facet : solids.wall_facets())
     {

@@ -35,6 +35,20 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<std::vector<Point<dim>>> parse_point_lists(const Parameters &prm, const std::string &entry)
+  {
+    const std::string point = dim == 2 ? "x, y" : "x, y, z";
+    std::vector<std::vector<Point<dim>>> lists;
+    for (const std::string &text : split_list(prm.get(entry), ';'))
+      lists.push_back(parse_points<dim>(prm, entry, text,
+                                        "lists of points '" + point + " : " + point +
+                                          " : ...' separated by ';', lengths in m (found '" + text + "')"));
+    return lists;
+  }
+
+
+
+  template <int dim>
   std::vector<NamedPoints<dim>> parse_named_points(const Parameters &prm, const std::string &entry,
                                                    const unsigned int n_points)
   {
@@ -72,4 +86,6 @@ namespace Lahar
                                                           const unsigned int);
   template std::vector<NamedPoints<3>> parse_named_points(const Parameters &, const std::string &,
                                                           const unsigned int);
+  template std::vector<std::vector<Point<2>>> parse_point_lists(const Parameters &, const std::string &);
+  template std::vector<std::vector<Point<3>>> parse_point_lists(const Parameters &, const std::string &);
 } // namespace Lahar

@@ -34,24 +34,14 @@ namespace Lahar
 
   void FluidLaw::declare_parameters(Parameters &prm)
   {
-    prm.enter_subsection("Fluid");
-    prm.declare_entry("Law", "Bingham", Patterns::Anything(),
-                      "Constitutive law of the fluid. " + Factory<FluidLaw>::descriptions() +
-                        " Its parameters stand in the subsection of its name.");
-    Factory<FluidLaw>::declare_parameters(prm);
-    prm.leave_subsection();
+    Factory<FluidLaw>::declare_choice(prm, "Law", "Bingham", "Constitutive law of the fluid.");
   }
 
 
 
   std::unique_ptr<FluidLaw> FluidLaw::create(Parameters &prm)
   {
-    prm.enter_subsection("Fluid");
-    if (!Factory<FluidLaw>::contains(prm.get("Law")))
-      prm.throw_wrong_value("Law", Factory<FluidLaw>::names());
-    std::unique_ptr<FluidLaw> law = Factory<FluidLaw>::create(prm.get("Law"), prm);
-    prm.leave_subsection();
-    return law;
+    return Factory<FluidLaw>::create_chosen(prm, "Law");
   }
 
 

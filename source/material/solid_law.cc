@@ -7,19 +7,14 @@ namespace Lahar
 {
   void SolidLaw::declare_parameters(Parameters &prm)
   {
-    prm.declare_entry("Law", "hypoelastic", Patterns::Anything(),
-                      "Constitutive law of the solid. " + Factory<SolidLaw>::descriptions() +
-                        " Its parameters stand in the subsection of its name.");
-    Factory<SolidLaw>::declare_parameters(prm);
+    Factory<SolidLaw>::declare_choice(prm, "Law", "hypoelastic", "Constitutive law of the solid.");
   }
 
 
 
   std::unique_ptr<SolidLaw> SolidLaw::create(Parameters &prm)
   {
-    if (!Factory<SolidLaw>::contains(prm.get("Law")))
-      prm.throw_wrong_value("Law", Factory<SolidLaw>::names());
-    return Factory<SolidLaw>::create(prm.get("Law"), prm);
+    return Factory<SolidLaw>::create_chosen(prm, "Law");
   }
 
 

@@ -25,7 +25,7 @@ namespace Lahar
 
   template <int dim>
   unsigned int ParticleCloud<dim>::append(const Point<dim> &new_position, const ParticleKind new_kind,
-                                          const double new_spacing)
+                                          const double new_spacing, const unsigned int new_part)
   {
     position.push_back(new_position);
     velocity.emplace_back();
@@ -36,6 +36,7 @@ namespace Lahar
     owed_volume.push_back(0.);
     reaction.emplace_back();
     kind.push_back(new_kind);
+    part.push_back(new_part);
     spacing.push_back(new_spacing);
     slip_facets.emplace_back();
     slip_facets.back().fill(no_facet);
@@ -49,8 +50,10 @@ namespace Lahar
   template <int dim>
   unsigned int ParticleCloud<dim>::append_midpoint(const unsigned int a, const unsigned int b)
   {
-    const unsigned int i        = append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
-                                         0.5 * (spacing[a] + spacing[b]));
+    const unsigned int i =
+      append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
+             0.5 * (spacing[a] + spacing[b]),
+             part[kind[a] == ParticleKind::fluid || kind[b] != ParticleKind::fluid ? a : b]);
     velocity[i]                 = 0.5 * (velocity[a] + velocity[b]);
     acceleration[i]             = 0.5 * (acceleration[a] + acceleration[b]);
     algorithmic_acceleration[i] = 0.5 * (algorithmic_acceleration[a] + algorithmic_acceleration[b]);
@@ -86,6 +89,7 @@ namespace Lahar
     compress(owed_volume, removed);
     compress(reaction, removed);
     compress(kind, removed);
+    compress(part, removed);
     compress(spacing, removed);
     compress(slip_facets, removed);
     compress(number, removed);
@@ -111,7 +115,7 @@ namespace Lahar
     }
     for (const double x :
          {pressure[i], pressure_rate[i], owed_volume[i], spacing[i], static_cast<double>(kind[i]),
-          static_cast<double>(number[i]), static_cast<double>(owner[i])})
+          static_cast<double>(part[i]), static_cast<double>(number[i]), static_cast<double>(owner[i])})
       *value++ = x;
     return result;
   }
@@ -136,6 +140,7 @@ namespace Lahar
     owed_volume[i]   = *value++;
     spacing[i]       = *value++;
     kind[i]          = static_cast<ParticleKind>(*value++);
+    part[i]          = static_cast<unsigned int>(*value++);
     number[i]        = static_cast<std::uint64_t>(*value++);
     owner[i]         = static_cast<unsigned int>(*value++);
   }

@@ -142,7 +142,7 @@ namespace Lahar
       FluidMesh<dim> part;
       part.reinit_part(snapshot.mesh, vertices, cells);
       list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.solids,
-                          snapshot.migration, snapshot.means, snapshot.time},
+                          snapshot.walls, snapshot.migration, snapshot.means, snapshot.time},
                          own_piece, pieces);
     });
     if (n_ranks == 1)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/base/function_parser.h>
-
 #include <lahar/boundary/open_floor.h>
 #include <lahar/remeshing/first_mesh_check.h>
 #include <lahar/simulator/cost_estimate.h>
@@ -40,7 +38,6 @@ namespace Lahar
     const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
     if (!warning.empty())
       warnings.push_back(warning);
-    set_initial_velocities();
     slip_condition.initialize(particles);
     domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
@@ -164,35 +161,6 @@ namespace Lahar
            << " cells across: if fluid is to flow through it, it does not do so as it should.";
       warn(text);
     }
-  }
-
-
-
-  template <int dim>
-  void Simulator<dim>::set_initial_velocities()
-  {
-    FunctionParser<dim> function(dim);
-    try
-    {
-      const std::vector<std::string> components = split_list(initial_velocity, ';');
-      AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
-      function.initialize(dim == 2 ? "x,y" : "x,y,z", components, {{"pi", numbers::PI}});
-      for (unsigned int d = 0; d < dim; ++d)
-        function.value(Point<dim>(), d);
-    }
-    catch (const std::exception &)
-    {
-      prm.throw_wrong_value("Initial velocity",
-                            std::to_string(dim) + " functions of the coordinates separated by ';'");
-    }
-    for (unsigned int i = 0; i < particles.size(); ++i)
-      if (particles.kind[i] == ParticleKind::fluid)
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          particles.velocity[i][d] = function.value(particles.position[i], d);
-          if (!std::isfinite(particles.velocity[i][d]))
-            prm.throw_wrong_value("Initial velocity", "functions that are finite in the fluid");
-        }
   }
 
 

@@ -129,7 +129,7 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh, *law, gravity, solids, migration, means, time};
+    return {particles, fluid_mesh, geometry.law(), gravity, solids, walls, migration, means, time};
   }
 
 

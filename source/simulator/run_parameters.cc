@@ -12,6 +12,13 @@ namespace Lahar
     prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain) or 3.");
     prm.declare_file_list("Plugins",
                           "Shared libraries with further models, separated by ';', see doc/extending.md.");
+    prm.declare_names(
+      "Fluids", "Names of the fluids, separated by ','; each has a subsection of its name in 'Fluids'.");
+    prm.declare_names(
+      "Boundaries",
+      "Names of the boundaries, separated by ','; each has a subsection of its name in 'Boundaries'.");
+    prm.declare_names(
+      "Solids", "Names of the solids, separated by ','; each has a subsection of its name in 'Solids'.");
     prm.declare_entry("Output directory", "output", Patterns::Anything(),
                       "Directory for everything that the run writes; it is created if need be.");
     prm.declare_entry("Start time", "0", Patterns::Anything(), "Time at the start in s.");

@@ -16,18 +16,14 @@
 namespace Lahar
 {
   template <int dim>
-  void Simulator<dim>::declare_parameters(Parameters &prm, const unsigned int n_solids)
+  void Simulator<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
     RunParameters::declare_parameters(prm);
     prm.declare_entry("Gravity", dim == 2 ? "0, -9.81" : "0, 0, -9.81", Patterns::Anything(),
                       "Gravity vector in m/s², its components separated by commas.");
-    prm.declare_entry(
-      "Initial velocity", dim == 2 ? "0; 0" : "0; 0; 0", Patterns::Anything(),
-      "Initial velocity of the fluid in m/s: one function of x and y per component, separated by ';'.");
     TimeIntegration::declare_parameters(prm);
-    InitialGeometry<dim>::declare_parameters(prm);
-    FluidLaw::declare_parameters(prm);
-    Solids<dim>::declare_parameters(prm, n_solids);
+    InitialGeometry<dim>::declare_parameters(prm, structure);
+    Solids<dim>::declare_parameters(prm, structure.solids);
     DomainLimit<dim>::declare_parameters(prm);
     MeshSize<dim>::declare_parameters(prm);
     Remesher<dim>::declare_parameters(prm);
@@ -39,7 +35,7 @@ namespace Lahar
 
 
   template <int dim>
-  Simulator<dim>::Simulator(Parameters &prm, const MPI_Comm &communicator)
+  Simulator<dim>::Simulator(Parameters &prm, const CaseStructure &structure, const MPI_Comm &communicator)
     : communicator(communicator)
     , prm(prm)
     , migration(communicator)
@@ -53,12 +49,10 @@ namespace Lahar
   {
     parameters.parse_parameters(prm);
     mesh_size.parse_parameters(prm, parameters.mesh_size);
-    gravity          = prm.get_vector<dim>("Gravity");
-    initial_velocity = prm.get("Initial velocity");
+    gravity = prm.get_vector<dim>("Gravity");
     time_integration.parse_parameters(prm);
-    solids.parse_parameters(prm);
-    geometry.parse_parameters(prm, !solids.empty());
-    law = FluidLaw::create(prm);
+    solids.parse_parameters(prm, structure.solids);
+    geometry.parse_parameters(prm, structure);
     domain_limit.parse_parameters(prm);
     remesher.parse_parameters(prm);
     scheme       = NonlinearScheme<dim>::create(prm);
@@ -125,7 +119,7 @@ namespace Lahar
   template <int dim>
   Tensor<1, dim> Simulator<dim>::fluid_momentum() const
   {
-    return momentum.compute(fluid_mesh, particles, law->density(), communicator);
+    return momentum.compute(fluid_mesh, particles, geometry.law().density(), communicator);
   }
 
 
@@ -150,7 +144,7 @@ namespace Lahar
       try
       {
         time_integration.start_step(time_step, step_number == 0);
-        problem.start_step(fluid_mesh, particles, constraints(), *law, gravity, time_integration,
+        problem.start_step(fluid_mesh, particles, constraints(), geometry.law(), gravity, time_integration,
                            remeshing.arrives, solids, time + time_step, migration);
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator) != 0)
@@ -309,10 +303,10 @@ namespace Lahar
     write_checkpoint();
     std::ostringstream message;
     message
-      << "Time " << time << " s: " << solids.all_bodies()[place->body].name << " has run into "
-      << (place->wall                        ? "wall " + geometry.wall_name(*place->wall)
+      << "Time " << time << " s: solid '" << solids.all_bodies()[place->body].name << "' has run into "
+      << (place->wall                        ? "boundary " + geometry.wall_name(*place->wall)
           : place->body == place->other_body ? "itself"
-                                             : solids.all_bodies()[place->other_body].name)
+                                             : "solid '" + solids.all_bodies()[place->other_body].name + "'")
       << " at (" << place->point
       << ") m. Contact of solids with walls and with each other is not computed: keep them apart by 'Clamped' or "
          "'Driven', or end the run before.";

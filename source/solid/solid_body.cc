@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/solid/solid_body.h>
+#include <lahar/utilities/factory.h>
+#include <lahar/utilities/vector_function.h>
 
 #include <algorithm>
 
@@ -30,11 +32,10 @@ namespace Lahar
   template <int dim>
   void SolidBody<dim>::declare_parameters(Parameters &prm)
   {
-    const std::string zero    = dim == 2 ? "0; 0" : "0; 0; 0",
-                      boxes   = ", by boxes in the undeformed configuration: ",
+    const std::string zero = zero_function<dim>(), boxes = ", by boxes in the undeformed configuration: ",
                       corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
                       by      = boxes + corners + " separated by ';'";
-    SolidShape<dim>::declare_parameters(prm);
+    Factory<SolidShape<dim>>::declare_choice(prm, "Shape", "", "The undeformed solid.");
     prm.declare_entry("Clamped", "", Patterns::Anything(),
                       "Part of the contour that does not move" + by + ".");
     prm.declare_entry("Driven", "", Patterns::Anything(),
@@ -56,43 +57,18 @@ namespace Lahar
 
 
 
-  namespace
-  {
-    template <int dim>
-    std::shared_ptr<FunctionParser<dim>> parse_function(const Parameters &prm, const std::string &entry)
-    {
-      auto function = std::make_shared<FunctionParser<dim>>(dim);
-      try
-      {
-        const std::vector<std::string> components = split_list(prm.get(entry), ';');
-        AssertThrow(components.size() == dim, ExcDimensionMismatch(components.size(), dim));
-        function->initialize(dim == 2 ? "x,y,t" : "x,y,z,t", components, {{"pi", numbers::PI}}, true);
-        for (unsigned int d = 0; d < dim; ++d)
-          function->value(Point<dim>(), d);
-      }
-      catch (const std::exception &)
-      {
-        prm.throw_wrong_value(entry, std::to_string(dim) +
-                                       " functions of the coordinates and of t separated by ';'");
-      }
-      return function;
-    }
-  } // namespace
-
-
-
   template <int dim>
   void SolidBody<dim>::parse_parameters(Parameters &prm, const std::string &new_name)
   {
-    name = new_name;
-    shape.parse_parameters(prm);
+    name                  = new_name;
+    shape                 = Factory<SolidShape<dim>>::create_chosen(prm, "Shape");
     const auto prescribed = [&prm](const std::string &where, std::shared_ptr<FunctionParser<dim>> function) {
       return Prescribed{parse_boxes<dim>(prm, where), std::move(function), prm.path(where), prm.get(where)};
     };
     clamped          = prescribed("Clamped", nullptr);
-    driven           = prescribed("Driven", parse_function<dim>(prm, "Driving velocity"));
-    loaded           = prescribed("Loaded", parse_function<dim>(prm, "Traction"));
-    initial_velocity = parse_function<dim>(prm, "Initial velocity");
+    driven           = prescribed("Driven", parse_vector_function<dim>(prm, "Driving velocity", true));
+    loaded           = prescribed("Loaded", parse_vector_function<dim>(prm, "Traction", true));
+    initial_velocity = parse_vector_function<dim>(prm, "Initial velocity", true);
     law              = SolidLaw::create(prm);
   }
 

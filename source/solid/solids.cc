@@ -10,29 +10,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <utility>
 
 namespace Lahar
 {
-  namespace
-  {
-    std::string body_name(const unsigned int body)
-    {
-      return "Solid " + std::to_string(body + 1);
-    }
-  } // namespace
-
-
-
   template <int dim>
-  void Solids<dim>::declare_parameters(Parameters &prm, const unsigned int n_bodies)
+  void Solids<dim>::declare_parameters(Parameters &prm, const std::vector<std::string> &names)
   {
     prm.enter_subsection("Solids");
-    prm.declare_entry(
-      "Number of solids", "0", Patterns::Anything(),
-      "Number of elastic solids, 0 to " + std::to_string(maximum) +
-        "; each has a subsection 'Solid 1', 'Solid 2' ...; further subsections count for nothing.");
     prm.declare_entry(
       "Degree", "2", Patterns::Anything(),
       "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
@@ -41,9 +28,14 @@ namespace Lahar
     prm.declare_entry(
       "Newmark gamma", "1.5", Patterns::Anything(),
       "Newmark's γ for the solids, 0.5 to 1.5. 0.5 keeps the energy; larger values damp vibrations.");
-    for (unsigned int body = 0; body < n_bodies; ++body)
+    const std::map<std::string, std::string> entries = prm.values();
+    for (const std::string &name : names)
     {
-      prm.enter_subsection(body_name(body));
+      if (entries.count(prm.path(name)) > 0)
+        throw InputError("'Solids' has the name '" + name +
+                         "', which is an entry of subsection 'Solids'. Allowed: "
+                         "another name.");
+      prm.enter_subsection(name);
       SolidBody<dim>::declare_parameters(prm);
       prm.leave_subsection();
     }
@@ -53,17 +45,17 @@ namespace Lahar
 
 
   template <int dim>
-  void Solids<dim>::parse_parameters(Parameters &prm)
+  void Solids<dim>::parse_parameters(Parameters &prm, const std::vector<std::string> &names)
   {
     prm.enter_subsection("Solids");
-    bodies.resize(prm.get_count("Number of solids", 0, maximum));
     degree    = prm.get_count("Degree", 1, 2);
     max_nodes = prm.get_count("Largest number of nodes", 1, 100000000);
     gamma     = prm.get_in_range("Newmark gamma", 0.5, 1.5);
-    for (unsigned int body = 0; body < bodies.size(); ++body)
+    for (const std::string &name : names)
     {
-      prm.enter_subsection(body_name(body));
-      bodies[body].parse_parameters(prm, body_name(body));
+      prm.enter_subsection(name);
+      bodies.emplace_back();
+      bodies.back().parse_parameters(prm, name);
       prm.leave_subsection();
     }
     prm.leave_subsection();
@@ -85,23 +77,22 @@ namespace Lahar
     double n_asked = 0.;
     for (unsigned int body = 0; body < bodies.size(); ++body)
     {
-      const double size = mesh_size.finest_in(bodies[body].shape.box());
-      n_asked += bodies[body].shape.estimate_size(degree * size, degree);
+      const double size = mesh_size.finest_in(bodies[body].shape->box());
+      n_asked += bodies[body].shape->estimate_size(degree * size, degree);
       if (!(n_asked <= max_nodes))
       {
         std::ostringstream message;
-        message << "The solids up to " << bodies[body].name << " have about " << n_asked
+        message << "The solids up to '" << bodies[body].name << "' have about " << n_asked
                 << " nodes at the mesh size " << size
                 << " m. Allowed: 'Solids/Largest number of nodes', which is " << max_nodes
-                << "; 'Elements' of a box sets its number of elements.";
+                << "; 'box/Elements' sets the number of elements of a box.";
         throw InputError(message.str());
       }
-      if (bodies[body].shape.is_from_file())
-        for (const std::string &text :
-             warn_of_extent("the elements of " + bodies[body].name, bodies[body].shape.box(), h,
-                            "Solids/" + body_name(body) + "/Mesh scale"))
+      if (const std::string path = bodies[body].shape->scale_path(); !path.empty())
+        for (const std::string &text : warn_of_extent("the elements of solid '" + bodies[body].name + "'",
+                                                      bodies[body].shape->box(), h, path))
           warnings.push_back(text);
-      bodies[body].shape.append(degree * size, body, vertices, cells);
+      bodies[body].shape->append(degree * size, body, vertices, cells);
     }
     solid_mesh->reinit(vertices, cells);
     const SolidMesh<dim> &mesh = *solid_mesh;
@@ -164,14 +155,14 @@ namespace Lahar
       for (const auto &[part, count] : parts)
         if (!part->where.empty() && count == 0)
           throw InputError("Parameter '" + part->path + "' is '" + part->text +
-                           "', which holds no part of the contour of " + bodies[b].name +
-                           ". Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
+                           "', which holds no part of the contour of solid '" + bodies[b].name +
+                           "'. Allowed: boxes that hold nodes of the contour (for loads: middles of faces).");
     }
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (!is_loaded && n_clamped[b] + n_driven[b] + n_loaded[b] == 0)
         warnings.push_back(
-          "Warning: " + bodies[b].name +
-          " is neither clamped, driven nor loaded, and there is no fluid and no gravity: only "
+          "Warning: solid '" + bodies[b].name +
+          "' is neither clamped, driven nor loaded, and there is no fluid and no gravity: only "
           "its initial velocity moves it.");
 
     if (widest > 3. * h)
@@ -209,9 +200,9 @@ namespace Lahar
           continue;
         const unsigned int a = solid_mesh->body_of_node(i), b = solid_mesh->body_of_node(nodes[0]);
         std::ostringstream message;
-        message << (a == b ? bodies[a].name + " has a hanging node"
-                           : bodies[a].name + " touches " + bodies[b].name)
-                << " at (" << point
+        message << "Solid '" << bodies[a].name << "' "
+                << (a == b ? "has a hanging node" : "touches solid '" + bodies[b].name + "'") << " at ("
+                << point
                 << ") m. Allowed: solids apart from each other, whose elements share whole edges and faces.";
         throw InputError(message.str());
       }
@@ -236,7 +227,7 @@ namespace Lahar
                                        present.position[facet[v]].distance(present.position[other]));
     for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
     {
-      cloud.append(present.position[i], ParticleKind::solid, spacing[i]);
+      cloud.append(present.position[i], ParticleKind::solid, spacing[i], solid_mesh->body_of_node(i));
       cloud.velocity[i] = present.velocity[i];
     }
   }

@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/utilities/parameters.h>
+#include <lahar/utilities/renamed_entries.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,16 +46,78 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    /// The handler keeps entries and subsections in one tree; the blank, which nobody sees, keeps their names apart.
+    std::string apart(const std::string &name)
+    {
+      return name + ' ';
+    }
+  } // namespace
+
+
+
+  void Parameters::declare_names(const std::string &entry, const std::string &documentation)
+  {
+    declare_entry(apart(entry), "",
+                  Patterns::List(Patterns::Anything(), 0, Patterns::List::max_int_value, ","), documentation);
+    name_lists.insert(path(entry));
+  }
+
+
+
+  void Parameters::set_names(const std::string &entry, const std::vector<std::string> &names)
+  {
+    std::string text;
+    for (const std::string &name : names)
+      text += (text.empty() ? "" : ", ") + name;
+    set(apart(entry), text);
+  }
+
+
+
+  bool Parameters::knows(const Assignment &assignment, const std::map<std::string, std::string> &known) const
+  {
+    const auto has_slash = [](const std::string &name) { return name.find('/') != std::string::npos; };
+    return subsection_path_exists(assignment.sections) && !has_slash(assignment.entry) &&
+           std::none_of(assignment.sections.begin(), assignment.sections.end(), has_slash) &&
+           (assignment.entry.empty() || known.count(assignment.path()) > 0);
+  }
+
+
+
+  void Parameters::check_renamed(const std::vector<Assignment> &assignments,
+                                 const std::map<std::string, std::string> &known) const
+  {
+    std::string message;
+    std::set<std::string> said;
+    // Entries say more than the subsections around them.
+    for (const bool is_entry : {true, false})
+      for (const Assignment &assignment : assignments)
+      {
+        const std::string path = assignment.path(), now = new_spelling(path);
+        if (now.empty() || assignment.entry.empty() == is_entry || (!is_entry && !message.empty()) ||
+            knows(assignment, known) || !said.insert(path).second)
+          continue;
+        message += (message.empty() ? "" : "\n") + assignment.place + ": there is no " +
+                   (is_entry ? "entry " : "subsection ") + in_quotes(path, 200) +
+                   " any more. Allowed: " + now + ".";
+      }
+    if (!message.empty())
+      throw InputError(
+        message + "\n'contrib/utilities/convert-case' writes a parameter file of Lahar 0.1 in the new form.");
+  }
+
+
+
   void Parameters::assign(const std::vector<Assignment> &assignments, const Parameters &of_other_dimension)
   {
     const std::map<std::string, std::string> known = values();
+    check_renamed(assignments, known);
     for (const Assignment &assignment : assignments)
     {
-      const auto has_slash = [](const std::string &name) { return name.find('/') != std::string::npos; };
       const std::string entry_path = assignment.path();
-      if (!subsection_path_exists(assignment.sections) || has_slash(assignment.entry) ||
-          std::any_of(assignment.sections.begin(), assignment.sections.end(), has_slash) ||
-          (!assignment.entry.empty() && known.count(entry_path) == 0))
+      if (!knows(assignment, known))
         throw_unknown(assignment, of_other_dimension);
       if (assignment.entry.empty())
         continue;
@@ -69,7 +132,7 @@ namespace Lahar
       }
       for (const std::string &section : assignment.sections)
         enter_subsection(section);
-      set(assignment.entry, value);
+      set(name_lists.count(entry_path) > 0 ? apart(assignment.entry) : assignment.entry, value);
       for (unsigned int i = 0; i < assignment.sections.size(); ++i)
         leave_subsection();
     }
@@ -93,6 +156,11 @@ namespace Lahar
     const std::string path           = assignment.path();
     std::string message = assignment.place + ": there is no " + (is_entry ? "entry " : "subsection ") +
                           in_quotes(path, 200);
+    const std::vector<std::string> &sections_of_it = assignment.sections;
+    if (sections_of_it.size() > 1 && name_lists.count(sections_of_it[0]) > 0 &&
+        !subsection_path_exists({sections_of_it[0], sections_of_it[1]}))
+      throw InputError(message + ", as '" + sections_of_it[1] + "' is not in 'set " + sections_of_it[0] +
+                       " = " + get(apart(sections_of_it[0])) + "'. Allowed: the names there.");
     if (paths(of_other_dimension).count(path) > 0)
       message += " where 'Dimension' is " + get("Dimension") +
                  ". Allowed: 'set Dimension = " + of_other_dimension.get("Dimension") + "' for it, or";

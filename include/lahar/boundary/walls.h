@@ -9,6 +9,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Lahar
@@ -20,7 +21,8 @@ namespace Lahar
   struct WallFacet
   {
     std::array<Point<dim>, dim> corners;
-    bool slip = false; ///< free slip (no normal velocity) instead of no slip
+    bool slip             = false; ///< free slip (no normal velocity) instead of no slip
+    unsigned int boundary = 0;     ///< the number of the case's boundary that it belongs to
   };
 
   /**
@@ -34,11 +36,17 @@ namespace Lahar
   {
   public:
     Walls() = default;
-    explicit Walls(const std::vector<WallFacet<dim>> &facets);
+    /// @param names of the boundaries that the facets' numbers mean, if they are needed.
+    explicit Walls(const std::vector<WallFacet<dim>> &facets, const std::vector<std::string> &names = {});
 
     const std::vector<WallFacet<dim>> &facets() const
     {
       return all_facets;
+    }
+
+    const std::vector<std::string> &boundary_names() const
+    {
+      return names;
     }
 
     /// Unit normal of a facet; its side follows from the order of the corners.
@@ -65,6 +73,7 @@ namespace Lahar
 
   private:
     std::vector<WallFacet<dim>> all_facets;
+    std::vector<std::string> names; ///< of the boundaries
     std::vector<Tensor<1, dim>> normals;
 
     using Box = std::pair<BoundingBox<dim>, unsigned int>;

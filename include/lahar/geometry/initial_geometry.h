@@ -4,12 +4,12 @@
 #define lahar_geometry_initial_geometry_h
 
 #include <lahar/boundary/solid_contour.h>
-#include <lahar/geometry/fluid_body.h>
+#include <lahar/geometry/boundary.h>
+#include <lahar/geometry/fluid.h>
 #include <lahar/geometry/initial_region.h>
 #include <lahar/geometry/narrow_gap.h>
-#include <lahar/geometry/wall_shape.h>
 #include <lahar/particles/particle_cloud.h>
-#include <lahar/utilities/parameters.h>
+#include <lahar/utilities/case_structure.h>
 
 #include <functional>
 #include <memory>
@@ -19,10 +19,9 @@
 namespace Lahar
 {
   /**
-   * The initial fluid bodies and the rigid walls of a case.
+   * The fluids of a case at the start, and its rigid boundaries.
    *
-   * Fluid bodies are boxes, polygons (in the plane), convex polyhedra, truncated cones and cylinders (in space) and
-   * physical groups of a gmsh file; walls are polylines (in the plane), plane polygons (in space) and physical groups. Bodies are filled
+   * Fluids are bodies (FluidShape), boundaries walls (BoundaryShape). Bodies are filled
    * with particles at the mesh size, walls without slip carry particles at the same distance. Where a body touches a
    * wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
    * level surface meets the wall at its height. Of a mesh of the plane these are the ends of the rows of its edges along
@@ -34,12 +33,12 @@ namespace Lahar
   class InitialGeometry
   {
   public:
-    /// Declare the entries of subsection "Geometry".
-    static void declare_parameters(Parameters &prm);
+    /// Declare 'Largest number of particles' and the subsections "Fluids" and "Boundaries".
+    static void declare_parameters(Parameters &prm, const CaseStructure &structure);
 
-    /// Read subsection "Geometry". @throws InputError for a text that is no list of points, for an unknown file, or,
-    /// unless there are solids, if there is no fluid.
-    void parse_parameters(Parameters &prm, const bool has_solids);
+    /// Read them. @throws InputError for a wrong value, an unknown file, fluids of different laws or, unless there are
+    /// solids, if there is no fluid.
+    void parse_parameters(Parameters &prm, const CaseStructure &structure);
 
     bool has_fluid() const
     {
@@ -47,8 +46,9 @@ namespace Lahar
     }
 
     /**
-     * Fill @p walls and, after the solids' particles that are there already, @p cloud with spacing @p h (m).
-     * @throws InputError if there is no fluid, if a body is smaller than @p h, if there would be too many particles, if bodies,
+     * Fill @p walls and, after the solids' particles that are there already, @p cloud with spacing @p h (m). Fluid has its
+     * initial velocity.
+     * @throws InputError if a body is smaller than @p h, if there would be too many particles, if bodies,
      * walls and solids overlap.
      */
     void create(const MeshSize<dim> &h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
@@ -57,6 +57,14 @@ namespace Lahar
     /// Whether a simplex of the particles that create() made belongs to the bodies (InitialRegion), or to the gap below
     /// 0.1 h between one of them and a wall or solid. Valid as long as this object.
     std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)> region() const;
+
+    /// The law of all fluids; of water, if there are none.
+    const FluidLaw &law() const;
+
+    const std::vector<Boundary<dim>> &all_boundaries() const
+    {
+      return boundaries;
+    }
 
     /// How messages call the wall that facet @p facet of create()'s walls belongs to.
     std::string wall_name(unsigned int facet) const;
@@ -71,17 +79,10 @@ namespace Lahar
       return InitialRegion<dim>(bodies).volume();
     }
 
-    /// What is odd about the mesh file at the spacing @p h (m): walls out of all proportion to it.
+    /// What is odd about the boundaries at the spacing @p h (m), see Boundary::warnings().
     std::vector<std::string> warnings(const double h) const;
 
   private:
-    void parse_bodies(Parameters &prm);
-    void parse_walls(Parameters &prm, const std::string &entry, const bool slip);
-    void parse_mesh_file(Parameters &prm);
-
-    /// @throws InputError if the fluid's mesh is far finer or coarser than @p h.
-    void check_mesh_scale(const double h) const;
-
     /// The points of each body.
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
@@ -94,17 +95,18 @@ namespace Lahar
     std::vector<Point<dim>> contacts(const WallShape<dim> &wall, const Fillings &fillings,
                                      const SolidContour<dim> &solids, const MeshSize<dim> &h) const;
 
-    /// Fill @p walls. @return the particles of those without slip.
-    std::vector<Point<dim>> create_walls(const MeshSize<dim> &h, const Fillings &fillings,
-                                         const SolidContour<dim> &solids, Walls<dim> &walls) const;
+    /// Fill @p walls. @return the particles of those without slip, and the numbers of their boundaries.
+    std::vector<std::pair<Point<dim>, unsigned int>> create_walls(const MeshSize<dim> &h,
+                                                                  const Fillings &fillings,
+                                                                  const SolidContour<dim> &solids,
+                                                                  Walls<dim> &walls) const;
 
-    std::vector<std::unique_ptr<FluidBody<dim>>> bodies;
-    std::vector<WallShape<dim>> wall_shapes;
+    std::vector<Fluid<dim>> fluids;
+    std::vector<Boundary<dim>> boundaries;
+    typename FluidShape<dim>::Bodies bodies; ///< of all fluids
+    std::vector<unsigned int> fluid_of;      ///< by body
+    std::vector<WallShape<dim>> wall_shapes; ///< of all boundaries
     unsigned int max_particles = 0;
-    double mesh_scale          = 1.;
-    std::map<std::string, double>
-      mesh_edges; ///< of the mesh file's groups of fluid the mean length of edges, m
-    std::vector<Point<dim>> mesh_wall_corners; ///< of the walls from the mesh file
   };
 } // namespace Lahar
 

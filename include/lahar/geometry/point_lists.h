@@ -20,6 +20,10 @@ namespace Lahar
   std::vector<Point<dim>> parse_points(const Parameters &prm, const std::string &entry,
                                        const std::string &text, const std::string &allowed);
 
+  /// The lists of points 'x, y : x, y : ...' that @p entry holds, separated by ';'. @throws InputError
+  template <int dim>
+  std::vector<std::vector<Point<dim>>> parse_point_lists(const Parameters &prm, const std::string &entry);
+
   /// Points with a name.
   template <int dim>
   struct NamedPoints

@@ -24,8 +24,9 @@ namespace Lahar
     std::string name; ///< how messages to the user call it
     std::vector<Point<dim>> corners;
     bool closed = false; ///< of a polyline: the last corner is joined to the first
-    bool slip   = false;
     std::vector<std::array<Point<dim>, dim>> mesh_facets; ///< in space, instead of corners
+    bool slip             = false;                        ///< see WallFacet
+    unsigned int boundary = 0;                            ///< see WallFacet
 
     std::vector<WallFacet<dim>> facets() const;
 

@@ -62,10 +62,10 @@ namespace Lahar
     /// Whether the stress intensity |τ| = μ_eff γ̇ exceeds the yield stress (always, where there is none).
     bool is_yielded(const double strain_rate) const;
 
-    /// Declare the laws' entries in subsection "Fluid" of the handler's current section.
+    /// Declare the entry 'Law' and the laws' subsections in the handler's current section.
     static void declare_parameters(Parameters &prm);
 
-    /// Create the law that subsection "Fluid" names. @throws InputError
+    /// Create the law that 'Law' in the handler's current section names. @throws InputError
     static std::unique_ptr<FluidLaw> create(Parameters &prm);
 
     /// Read the law's own subsection. A derived class calls this and reads its own entries.

@@ -52,6 +52,8 @@ namespace Lahar
     std::vector<double> owed_volume;   ///< m^dim; what the fluid has too much around it, see VolumeCorrection
     std::vector<Tensor<1, dim>> reaction; ///< mean force of wall or solid on the fluid in the last step, N
     std::vector<ParticleKind> kind;
+    std::vector<unsigned int>
+      part; ///< the number of the fluid, boundary or solid that the particle belongs to, by its kind
     std::vector<double> spacing;                   ///< wanted distance h to the next particles, m
     std::vector<std::array<int, dim>> slip_facets; ///< facets of the slip walls on which the particle slides
     std::vector<std::uint64_t> number;             ///< identifies the particle, ascending
@@ -79,12 +81,13 @@ namespace Lahar
     }
 
     /// Append a particle of this rank at rest, without pressure and without contact to a slip wall. Return its index.
-    unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing);
+    unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing,
+                        const unsigned int part = 0);
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
      * pressure, its rate and spacing are their means; it slides on the slip facets that both share and belongs to the
-     * owner of @p a. Return its index.
+     * owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
 
@@ -96,7 +99,7 @@ namespace Lahar
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
     /// A particle as numbers, to send it.
-    using Record = std::array<double, 6 * dim + 7>;
+    using Record = std::array<double, 6 * dim + 8>;
 
     Record record(const unsigned int particle) const;
 
@@ -120,7 +123,7 @@ namespace Lahar
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
-        &owed_volume &reaction &kind &spacing &slip_facets &number &owner &next_number;
+        &owed_volume &reaction &kind &part &spacing &slip_facets &number &owner &next_number;
     }
   };
 } // namespace Lahar

@@ -32,6 +32,7 @@ namespace Lahar
     const FluidLaw &law;
     const Tensor<1, dim> &gravity;
     const Solids<dim> &solids;
+    const Walls<dim> &walls;
     const Migration<dim> &migration;
     TimeMeans &means; ///< since the last snapshot
     double time = 0.;

@@ -46,11 +46,11 @@ namespace Lahar
   class Simulator
   {
   public:
-    /// @param n_solids for how many solids there are entries.
-    static void declare_parameters(Parameters &prm, const unsigned int n_solids);
+    /// @param structure the parts for which there are entries.
+    static void declare_parameters(Parameters &prm, const CaseStructure &structure);
 
     /// Read all parameters. @throws InputError for anything that cannot be computed.
-    Simulator(Parameters &prm, const MPI_Comm &communicator);
+    Simulator(Parameters &prm, const CaseStructure &structure, const MPI_Comm &communicator);
 
     /// Take the output directory for this run, see OutputDirectory::take(). Whoever does without it, as programs that
     /// use the library may, overwrites what is there. Collective. @throws InputError
@@ -118,7 +118,6 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints() const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.
     void create_first_mesh();
-    void set_initial_velocities();
     /// Where the first mesh does not show the shapes that were asked for.
     void warn_of_coarse_mesh();
     void add_statistics(const double time_step, const NonlinearReport &report);
@@ -158,11 +157,9 @@ namespace Lahar
     Parameters &prm;
     RunParameters parameters;
 
-    std::unique_ptr<FluidLaw> law;
     Tensor<1, dim> gravity;
     MeshSize<dim> mesh_size;
     InitialGeometry<dim> geometry;
-    std::string initial_velocity;
     TimeIntegration time_integration;
     DomainLimit<dim> domain_limit;
     Remesher<dim> remesher;

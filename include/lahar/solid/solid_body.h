@@ -38,11 +38,11 @@ namespace Lahar
 
     static void declare_parameters(Parameters &prm);
 
-    /// Read the handler's current section. @throws InputError
+    /// Read the handler's current section, of the solid's name. @throws InputError
     void parse_parameters(Parameters &prm, const std::string &name);
 
     std::string name;
-    SolidShape<dim> shape;
+    std::unique_ptr<SolidShape<dim>> shape;
     std::unique_ptr<SolidLaw> law;
     Prescribed clamped;                                    ///< without a function
     Prescribed driven;                                     ///< velocity, m/s

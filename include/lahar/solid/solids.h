@@ -23,14 +23,11 @@ namespace Lahar
   class Solids
   {
   public:
-    /// The largest number of solids in a case.
-    static constexpr unsigned int maximum = 100;
-
-    /// Declare subsection "Solids" with the given number of bodies.
-    static void declare_parameters(Parameters &prm, const unsigned int n_bodies);
+    /// Declare subsection "Solids" with bodies of these names. @throws InputError if a name is that of an entry.
+    static void declare_parameters(Parameters &prm, const std::vector<std::string> &names);
 
     /// @throws InputError
-    void parse_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm, const std::vector<std::string> &names);
 
     /**
      * Make mesh and state at @p time (s). @param mesh_size the fluid's; a box takes the smallest one in it.

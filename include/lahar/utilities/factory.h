@@ -92,6 +92,25 @@ namespace Lahar
       return model;
     }
 
+    /// Declare the entry @p entry, which chooses a model by its name, and one subsection per model. An empty
+    /// @p default_name makes the user choose. @param documentation what the choice is about.
+    static void declare_choice(Parameters &prm, const std::string &entry, const std::string &default_name,
+                               const std::string &documentation)
+    {
+      prm.declare_entry(entry, default_name, Patterns::Anything(),
+                        documentation + " " + descriptions() +
+                          " Its parameters, if it has any, stand in the subsection of its name.");
+      declare_parameters(prm);
+    }
+
+    /// Create the model that @p entry of the handler's current section names. @throws InputError if there is none.
+    static std::unique_ptr<Base> create_chosen(Parameters &prm, const std::string &entry)
+    {
+      if (!contains(prm.get(entry)))
+        prm.throw_wrong_value(entry, names());
+      return create(prm.get(entry), prm);
+    }
+
   private:
     struct Entry
     {

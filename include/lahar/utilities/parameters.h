@@ -32,10 +32,17 @@ namespace Lahar
     /// An entry whose value is a list of such names, separated by ';'.
     void declare_file_list(const std::string &entry, const std::string &documentation);
 
+    /// An entry whose value is a list of names, separated by ','. A subsection may have the same name.
+    void declare_names(const std::string &entry, const std::string &documentation);
+
+    /// The value of such an entry becomes @p names.
+    void set_names(const std::string &entry, const std::vector<std::string> &names);
+
     /**
      * Set entries as the user says. Names of files become absolute ones.
      * @param of_other_dimension entries of the other space dimension, for messages.
-     * @throws InputError with the place for a subsection or an entry that was not declared.
+     * @throws InputError with the place for a subsection or an entry that was not declared, with all of those that stand
+     * elsewhere now.
      */
     void assign(const std::vector<Assignment> &assignments, const Parameters &of_other_dimension);
 
@@ -76,10 +83,15 @@ namespace Lahar
     std::map<std::string, std::string> values() const;
 
   private:
+    bool knows(const Assignment &assignment, const std::map<std::string, std::string> &known) const;
     [[noreturn]] void throw_unknown(const Assignment &assignment, const Parameters &of_other_dimension) const;
 
+    /// @throws InputError if entries or subsections stand elsewhere now, see new_spelling().
+    void check_renamed(const std::vector<Assignment> &assignments,
+                       const std::map<std::string, std::string> &known) const;
+
     std::vector<std::string> sections;
-    std::set<std::string> files, file_lists; ///< full paths of entries
+    std::set<std::string> files, file_lists, name_lists; ///< full paths of entries
   };
 
   /// Split @p text at @p separator; pieces lose their surrounding white space, an empty text has no pieces.

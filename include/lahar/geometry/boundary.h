@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_geometry_boundary_h
+#define lahar_geometry_boundary_h
+
+#include <lahar/boundary/surface_law.h>
+#include <lahar/geometry/boundary_shape.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Lahar
+{
+  /**
+   * A named boundary of a case: where it is and how fluid moves along it.
+   */
+  template <int dim>
+  class Boundary
+  {
+  public:
+    static void declare_parameters(Parameters &prm);
+
+    /// Read the handler's current section, of the boundary's name. @throws InputError
+    void parse_parameters(Parameters &prm, const std::string &name);
+
+    /// Its walls as facets with the boundary's @p number, with names as "'bed'" or "group 'left' of 'bed'" for messages.
+    std::vector<WallShape<dim>> walls(const unsigned int number) const;
+
+    /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it.
+    std::vector<std::string> warnings(const double h) const;
+
+    std::string name;
+    std::unique_ptr<BoundaryShape<dim>> shape;
+    std::unique_ptr<SurfaceLaw> law;
+  };
+} // namespace Lahar
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <lahar/postprocess/postprocessor.h>
+#include <lahar/utilities/factory.h>
+
+namespace Lahar
+{
+  /**
+   * For each boundary the mean force of the fluid on it over the last step, N (N/m in 2D): the sum of the reactions of the
+   * discrete momentum equation at its particles and at those that slide on it, see TimeIntegration::mean_force().
+   *
+   * A particle that boundaries share belongs to the first of them. Where a particle slides along facets of several
+   * boundaries, each has the part of the reaction along its normal.
+   */
+  template <int dim>
+  class BoundaryForces : public Postprocessor<dim>
+  {
+  public:
+    static void declare_parameters(Parameters &) {}
+
+    void parse_parameters(Parameters &) override {}
+
+    void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
+
+  private:
+    using Forces = std::vector<Tensor<1, dim>>;
+
+    /// Add the force of a particle that slides.
+    static void add_sliding(const Snapshot<dim> &snapshot, const unsigned int particle, Forces &forces);
+  };
+
+
+
+  template <int dim>
+  void BoundaryForces<dim>::add_sliding(const Snapshot<dim> &snapshot, const unsigned int particle,
+                                        Forces &forces)
+  {
+    const Tensor<1, dim> force = -snapshot.cloud.reaction[particle];
+    std::vector<unsigned int> facets;
+    bool is_one = true;
+    for (const int facet : snapshot.cloud.slip_facets[particle])
+      if (facet != ParticleCloud<dim>::no_facet)
+      {
+        facets.push_back(facet);
+        is_one = is_one &&
+                 snapshot.walls.facets()[facet].boundary == snapshot.walls.facets()[facets[0]].boundary;
+      }
+    if (is_one)
+    {
+      forces[snapshot.walls.facets()[facets[0]].boundary] += force;
+      return;
+    }
+    // force = Σ a_k n_k, the normals being independent of each other.
+    const unsigned int n = facets.size();
+    FullMatrix<double> products(n, n);
+    Vector<double> along(n), shares(n);
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      along[k] = force * snapshot.walls.normal(facets[k]);
+      for (unsigned int l = 0; l < n; ++l)
+        products(k, l) = snapshot.walls.normal(facets[k]) * snapshot.walls.normal(facets[l]);
+    }
+    products.gauss_jordan();
+    products.vmult(shares, along);
+    for (unsigned int k = 0; k < n; ++k)
+      forces[snapshot.walls.facets()[facets[k]].boundary] += shares[k] * snapshot.walls.normal(facets[k]);
+  }
+
+
+
+  template <int dim>
+  void BoundaryForces<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
+  {
+    const std::vector<std::string> &names = snapshot.walls.boundary_names();
+    Forces forces(names.size());
+    for (const unsigned int particle : snapshot.mesh.particles())
+      if (snapshot.cloud.is_own(particle))
+      {
+        if (snapshot.cloud.kind[particle] == ParticleKind::wall)
+          forces[snapshot.cloud.part[particle]] -= snapshot.cloud.reaction[particle];
+        else if (snapshot.cloud.on_slip_wall(particle))
+          add_sliding(snapshot, particle, forces);
+      }
+    for (unsigned int b = 0; b < names.size(); ++b)
+      add_force_columns(statistics, snapshot, names[b], "force",
+                        Utilities::MPI::sum(forces[b], snapshot.communicator()));
+  }
+
+
+
+  static const Factory<Postprocessor<2>>::Registration<BoundaryForces<2>>
+    forces_2d("Boundary forces", "Force of the fluid on each boundary.");
+  static const Factory<Postprocessor<3>>::Registration<BoundaryForces<3>>
+    forces_3d("Boundary forces", "Force of the fluid on each boundary.");
+} // namespace Lahar
