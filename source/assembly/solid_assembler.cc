@@ -6,8 +6,7 @@ namespace Lahar
 {
   template <int dim>
   bool SolidAssembler<dim>::assemble(const Solids<dim> &solids, const SolidState<dim> &state,
-                                     const SolidFactors &factors, const Tensor<1, dim> &gravity,
-                                     const std::vector<Tensor<1, dim>> &external_forces,
+                                     const SolidFactors &factors, const SolidLoads<dim> &loads,
                                      const std::vector<unsigned int> &nodes, BlockSystem<dim> &system) const
   {
     const SolidMesh<dim> &mesh = solids.mesh();
@@ -27,7 +26,7 @@ namespace Lahar
         for (unsigned int J = 0; J < n; ++J)
         {
           const double mass          = law.density() * mesh.mass(c, I, J);
-          const Tensor<1, dim> force = mass * (state.acceleration[I_nodes[J]] - gravity);
+          const Tensor<1, dim> force = mass * (state.acceleration[I_nodes[J]] - loads.gravity);
           for (unsigned int a = 0; a < dim; ++a)
           {
             residual[I * dim + a] += force[a];
@@ -85,8 +84,8 @@ namespace Lahar
       }
       system.add_solid(k, matrix, residual);
     }
-    for (unsigned int i = 0; i < external_forces.size(); ++i)
-      system.add_solid(nodes[i], -external_forces[i]);
+    for (unsigned int i = 0; i < loads.external_forces.size(); ++i)
+      system.add_solid(nodes[i], -loads.external_forces[i]);
     return true;
   }
 

@@ -15,10 +15,10 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Corners", "", Patterns::Anything(),
-                        std::string("Boxes, each as two opposite corners ") +
-                          (dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'") +
-                          ", separated by ';'. Lengths in m.");
+      prm.declare_list("Corners", "", ';',
+                       std::string("Boxes, each as two opposite corners ") +
+                         (dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'") +
+                         ", separated by ';'. Lengths in m.");
     }
 
     void parse_parameters(Parameters &prm) override

@@ -60,12 +60,12 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Corners", "", Patterns::Anything(),
-                        std::string("Two opposite corners ") +
-                          (dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'") + ". Lengths in m.");
-      prm.declare_entry("Elements", "", Patterns::Anything(),
-                        std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
-                          ", 1 to 10000, separated by commas; empty: as many as the mesh size asks for.");
+      prm.declare_list("Corners", "", ':',
+                       std::string("Two opposite corners ") +
+                         (dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'") + ". Lengths in m.");
+      prm.declare_list("Elements", "", ',',
+                       std::string("Numbers of elements along ") + (dim == 2 ? "x and y" : "x, y and z") +
+                         ", 1 to 10000, separated by commas; empty: as many as the mesh size asks for.");
     }
 
     void parse_parameters(Parameters &prm) override;

@@ -12,11 +12,11 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Base", "0, 0, 0", Patterns::Anything(), "Centre of the base 'x, y, z' in m.");
-      prm.declare_entry("Base radius", "0", Patterns::Anything(), "Radius of the base in m, above zero.");
-      prm.declare_entry("Top radius", "0", Patterns::Anything(),
-                        "Radius of the top in m, above zero, at most that of the base.");
-      prm.declare_entry("Height", "0", Patterns::Anything(), "Height in m, above zero.");
+      prm.declare_vector("Base", "0, 0, 0", 3, "Centre of the base 'x, y, z' in m.");
+      prm.declare_positive("Base radius", "0", "Radius of the base in m, above zero.");
+      prm.declare_positive("Top radius", "0",
+                           "Radius of the top in m, above zero, at most that of the base.");
+      prm.declare_positive("Height", "0", "Height in m, above zero.");
     }
 
     void parse_parameters(Parameters &prm) override

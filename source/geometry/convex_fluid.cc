@@ -13,8 +13,8 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry(
-        "Corners", "", Patterns::Anything(),
+      prm.declare_list(
+        "Corners", "", ';',
         "Convex bodies, each as its corners 'x, y, z : x, y, z ...' in any order, separated by ';'. "
         "Lengths in m.");
     }

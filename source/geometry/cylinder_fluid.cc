@@ -13,9 +13,9 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Ends", "", Patterns::Anything(),
-                        "Centres of the two ends 'x, y, z : x, y, z' in m, apart from each other.");
-      prm.declare_entry("Radius", "0", Patterns::Anything(), "Radius in m, above zero.");
+      prm.declare_list("Ends", "", ':',
+                       "Centres of the two ends 'x, y, z : x, y, z' in m, apart from each other.");
+      prm.declare_positive("Radius", "0", "Radius in m, above zero.");
     }
 
     void parse_parameters(Parameters &prm) override

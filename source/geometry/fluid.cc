@@ -14,8 +14,8 @@ namespace Lahar
   {
     Factory<FluidShape<dim>>::declare_choice(prm, "Shape", "", "Where the fluid is at the start.");
     FluidLaw::declare_parameters(prm);
-    prm.declare_entry(
-      "Initial velocity", zero_function<dim>(), Patterns::Anything(),
+    prm.declare_list(
+      "Initial velocity", zero_function<dim>(), ';',
       "Velocity at the start in m/s: functions of the coordinates, one per component, separated by "
       "';'.");
   }

@@ -28,10 +28,11 @@ namespace Lahar
   template <int dim>
   void InitialGeometry<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
-    prm.declare_entry(
-      "Largest number of particles", "10000000", Patterns::Anything(),
+    prm.declare_count(
+      "Largest number of particles", "10000000",
       "A case is refused if it asks for more particles than this at the start, 1 to 100000000, as "
-      "estimated from the mesh size and the boxes around fluids and boundaries.");
+      "estimated from the mesh size and the boxes around fluids and boundaries.",
+      1, 100000000);
     prm.enter_subsection("Fluids");
     for (const std::string &name : structure.fluids)
     {
@@ -103,7 +104,9 @@ namespace Lahar
   const FluidLaw &InitialGeometry<dim>::law() const
   {
     static const Newtonian water;
-    return fluids.empty() ? water : *fluids[0].law;
+    if (fluids.empty())
+      return water;
+    return *fluids[0].law;
   }
 
 

@@ -9,10 +9,10 @@ namespace Lahar
     prm.declare_file(
       "File", "A gmsh file (.msh); its name is relative to the parameter file that gives it (on the command "
               "line: to the working directory). Elements of second order count as straight ones.");
-    prm.declare_entry("Scale", "1", Patterns::Anything(),
-                      "Factor for the file's coordinates, above zero: 1e-3 for a mesh in mm.");
-    prm.declare_entry(
-      "Groups", "", Patterns::Anything(),
+    prm.declare_positive("Scale", "1",
+                         "Factor for the file's coordinates, above zero: 1e-3 for a mesh in mm.");
+    prm.declare_list(
+      "Groups", "", ',',
       "The file's physical " + groups +
         ", by names or tags separated by commas; a name with a comma in it stands in double quotes.");
   }

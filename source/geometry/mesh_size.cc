@@ -42,8 +42,8 @@ namespace Lahar
   {
     const std::string point = dim == 2 ? "x, y" : "x, y, z";
     prm.enter_subsection("Remeshing");
-    prm.declare_entry(
-      "Refined boxes", "", Patterns::Anything(),
+    prm.declare_list(
+      "Refined boxes", "", ';',
       "Boxes with a smaller mesh size, each as two opposite corners and the distance of "
       "neighbouring particles in it '" +
         point + " : " + point +

@@ -12,8 +12,8 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry(
-        "Corners", "", Patterns::Anything(),
+      prm.declare_list(
+        "Corners", "", ';',
         "Convex polygons, each in a plane and as its corners 'x, y, z : x, y, z : x, y, z ...', "
         "separated by ';'. Lengths in m.");
     }

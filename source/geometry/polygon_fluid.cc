@@ -15,8 +15,8 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry(
-        "Corners", "", Patterns::Anything(),
+      prm.declare_list(
+        "Corners", "", ';',
         "Polygons, each as its corners 'x, y : x, y : x, y ...', separated by ';'. Lengths in m.");
     }
 

@@ -12,8 +12,8 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry(
-        "Points", "", Patterns::Anything(),
+      prm.declare_list(
+        "Points", "", ';',
         "Polylines, each as 'x, y : x, y ...', separated by ';'. Lengths in m. A line whose last point "
         "is its first one is a closed body, or a tank if fluid lies wholly inside.");
     }

@@ -32,25 +32,22 @@ namespace Lahar
 
 
   template <int dim>
-  void
-  BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
-                           const unsigned int n_solid_nodes, const std::vector<unsigned int> &solid_cells,
-                           const unsigned int new_nodes_per_solid_cell,
-                           const std::vector<Point<dim>> &positions, const std::vector<unsigned int> &owners,
-                           const std::vector<std::uint64_t> &keys)
+  void BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
+                                const SolidPart &solids, const std::vector<Point<dim>> &positions,
+                                const NodeIdentities &identities)
   {
-    const unsigned int n_nodes       = new_n_fluid_nodes + n_solid_nodes,
-                       n_solid_cells = solid_cells.empty() ? 0
-                                                           : solid_cells.size() / new_nodes_per_solid_cell;
+    const unsigned int n_nodes       = new_n_fluid_nodes + solids.n_nodes,
+                       n_solid_cells = solids.cells.empty() ? 0 : solids.cells.size() / solids.nodes_per_cell;
     Assert(positions.size() == n_nodes || (positions.empty() && n_solid_cells == 0),
            ExcDimensionMismatch(positions.size(), n_nodes));
     n_fluid_nodes = new_n_fluid_nodes;
 
     const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
                                           static_cast<unsigned int>(cells.size()), n_corners},
-                                         {solid_cells.data(), n_solid_cells, new_nodes_per_solid_cell}};
-    const bool nodes_change           = owners.empty() ? node_partition.reinit(n_nodes, lists)
-                                                       : node_partition.reinit(owners, keys, lists);
+                                         {solids.cells.data(), n_solid_cells, solids.nodes_per_cell}};
+    const bool nodes_change           = identities.owners.empty()
+                                          ? node_partition.reinit(n_nodes, lists)
+                                          : node_partition.reinit(identities.owners, identities.keys, lists);
     own_positions.resize(positions.empty() ? 0 : node_partition.n_own());
     set_positions(positions);
 
@@ -60,7 +57,7 @@ namespace Lahar
       std::copy_n(flat_cells.begin() + k * n_corners, n_corners, new_cells[k].begin());
     std::vector<unsigned int> new_solid_cells = node_partition.local_cells(1, lists[1]);
     constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
-    bool changed = n_patterns == 0 || nodes_change || new_nodes_per_solid_cell != nodes_per_solid_cell ||
+    bool changed = n_patterns == 0 || nodes_change || solids.nodes_per_cell != nodes_per_solid_cell ||
                    new_cells != local_cells || new_solid_cells != local_solid_cells;
     for (unsigned int l = 0; l < constraints.size() && !changed; ++l)
       changed = is_fluid(l) != (node_partition.nodes()[l] < n_fluid_nodes);
@@ -68,7 +65,7 @@ namespace Lahar
       return;
 
     ++n_patterns;
-    nodes_per_solid_cell = new_nodes_per_solid_cell;
+    nodes_per_solid_cell = solids.nodes_per_cell;
     local_cells          = std::move(new_cells);
     local_solid_cells    = std::move(new_solid_cells);
     number_unknowns();

@@ -10,13 +10,13 @@ namespace Lahar
   void Bingham::declare_parameters(Parameters &prm)
   {
     declare_common_parameters(prm);
-    prm.declare_entry(
-      "Plastic viscosity", "0.001", Patterns::Anything(),
+    prm.declare_positive(
+      "Plastic viscosity", "0.001",
       "Plastic viscosity μ in Pa s, zero or above: the slope of stress over strain rate after yielding.");
-    prm.declare_entry("Yield stress", "100", Patterns::Anything(),
-                      "Yield stress τ0 in Pa, zero or above. Zero makes the fluid Newtonian.");
-    prm.declare_entry(
-      "Regularization parameter", "1000", Patterns::Anything(),
+    prm.declare_positive("Yield stress", "100",
+                         "Yield stress τ0 in Pa, zero or above. Zero makes the fluid Newtonian.");
+    prm.declare_positive(
+      "Regularization parameter", "1000",
       "Papanastasiou's regularization parameter m in s, above zero. The unyielded fluid creeps with the "
       "viscosity μ + m τ0.");
   }

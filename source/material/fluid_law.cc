@@ -48,9 +48,9 @@ namespace Lahar
 
   void FluidLaw::declare_common_parameters(Parameters &prm)
   {
-    prm.declare_entry("Density", "1000", Patterns::Anything(), "Density ρ in kg/m³, above zero.");
-    prm.declare_entry("Bulk modulus", "infinite", Patterns::Anything(),
-                      "Bulk modulus κ in Pa, above zero, or 'infinite' for an incompressible fluid.");
+    prm.declare_positive("Density", "1000", "Density ρ in kg/m³, above zero.");
+    prm.declare_text("Bulk modulus", "infinite",
+                     "Bulk modulus κ in Pa, above zero, or 'infinite' for an incompressible fluid.");
   }
 
 

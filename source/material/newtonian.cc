@@ -8,8 +8,7 @@ namespace Lahar
   void Newtonian::declare_parameters(Parameters &prm)
   {
     declare_common_parameters(prm);
-    prm.declare_entry("Viscosity", "0.001", Patterns::Anything(),
-                      "Dynamic viscosity μ in Pa s, zero or above.");
+    prm.declare_positive("Viscosity", "0.001", "Dynamic viscosity μ in Pa s, zero or above.");
   }
 
 

@@ -21,11 +21,9 @@ namespace Lahar
 
   void SolidLaw::declare_common_parameters(Parameters &prm)
   {
-    prm.declare_entry("Density", "1000", Patterns::Anything(),
-                      "Density ρ of the undeformed solid in kg/m³, above zero.");
-    prm.declare_entry("Young's modulus", "1e6", Patterns::Anything(), "Young's modulus E in Pa, above zero.");
-    prm.declare_entry("Poisson's ratio", "0", Patterns::Anything(),
-                      "Poisson's ratio ν, above -1 and below 0.5.");
+    prm.declare_positive("Density", "1000", "Density ρ of the undeformed solid in kg/m³, above zero.");
+    prm.declare_positive("Young's modulus", "1e6", "Young's modulus E in Pa, above zero.");
+    prm.declare_number("Poisson's ratio", "0", "Poisson's ratio ν, above -1 and below 0.5.", -1., 0.5);
   }
 
 

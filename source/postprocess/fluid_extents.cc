@@ -24,21 +24,21 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry(
-        "Extents", dim == 2 ? "front: max x, height: max y" : "front: max x, height: max z",
-        Patterns::Anything(),
+      prm.declare_list(
+        "Extents", dim == 2 ? "front: max x, height: max y" : "front: max x, height: max z", ',',
         "Columns '<name> (m)' and what they hold, 'name: max|min|extent x|y|z', separated by commas. "
         "'extent' is the largest less the smallest coordinate. In place of a coordinate there may be the "
         "angle in degrees, counted from x towards y, of a direction in the plane of x and y.");
       const std::string point = dim == 2 ? "x, y" : "x, y, z";
-      prm.declare_entry("Boxes", "", Patterns::Anything(),
-                        "Boxes to which extents are limited, 'name: " + point + " : " + point +
-                          "' by two opposite corners in m, separated by ';'. The name is that of an extent; "
-                          "only particles in its box count.");
-      prm.declare_entry(
-        "Smallest part", "1", Patterns::Anything(),
+      prm.declare_list("Boxes", "", ';',
+                       "Boxes to which extents are limited, 'name: " + point + " : " + point +
+                         "' by two opposite corners in m, separated by ';'. The name is that of an extent; "
+                         "only particles in its box count.");
+      prm.declare_count(
+        "Smallest part", "1",
         "Parts of the fluid with fewer cells than this do not count, 1 to 1e9: a drop of a single "
-        "cell thrown ahead would be the front.");
+        "cell thrown ahead would be the front.",
+        1, 1000000000);
     }
 
     void parse_parameters(Parameters &prm) override;

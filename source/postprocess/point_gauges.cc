@@ -19,9 +19,9 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Points", "", Patterns::Anything(),
-                        "Points in m, 'name: x, y' separated by ';'. Columns '<name> pressure (Pa)' and "
-                        "'<name> velocity x (m/s)' ...");
+      prm.declare_list("Points", "", ';',
+                       "Points in m, 'name: x, y' separated by ';'. Columns '<name> pressure (Pa)' and "
+                       "'<name> velocity x (m/s)' ...");
     }
 
     void parse_parameters(Parameters &prm) override;

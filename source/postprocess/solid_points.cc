@@ -17,9 +17,9 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Points", "", Patterns::Anything(),
-                        "Points of the undeformed solids in m, 'name: x, y' separated by ';'. Columns "
-                        "'<name> x (m)', '<name> y (m)' ...: their displacements.");
+      prm.declare_list("Points", "", ';',
+                       "Points of the undeformed solids in m, 'name: x, y' separated by ';'. Columns "
+                       "'<name> x (m)', '<name> y (m)' ...: their displacements.");
     }
 
     void parse_parameters(Parameters &prm) override;

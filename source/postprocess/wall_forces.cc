@@ -18,9 +18,9 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Boxes", "", Patterns::Anything(),
-                        "Boxes in m, 'name: x, y : x, y' by two opposite corners, separated by ';'. Columns "
-                        "'<name> force x (N)' ...: the force on the walls inside the box.");
+      prm.declare_list("Boxes", "", ';',
+                       "Boxes in m, 'name: x, y : x, y' by two opposite corners, separated by ';'. Columns "
+                       "'<name> force x (N)' ...: the force on the walls inside the box.");
     }
 
     void parse_parameters(Parameters &prm) override;

@@ -105,14 +105,16 @@ namespace Lahar
   void AlphaShape<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Alpha shape");
-    prm.declare_entry(
-      "Rule", "advected", Patterns::Anything(),
+    prm.declare_choice(
+      "Rule", "advected", "plain|advected",
       "Which simplices are fluid: 'plain', all with a circumradius below Alpha times the spacing, or "
       "'advected', which remembers the fluid's domain of the step before and so keeps its volume.");
-    prm.declare_entry("Alpha", dim == 2 ? "1.25" : "1.35", Patterns::Anything(),
-                      "Largest circumradius of a fluid simplex over the particles' spacing, 1 or above.");
-    prm.declare_entry("Alpha inside", "2.5", Patterns::Anything(),
-                      "Rule 'advected': the same for simplices inside the old domain, Alpha or above.");
+    prm.declare_number("Alpha", dim == 2 ? "1.25" : "1.35",
+                       "Largest circumradius of a fluid simplex over the particles' spacing, 1 or above.", 1.,
+                       10.);
+    prm.declare_number("Alpha inside", "2.5",
+                       "Rule 'advected': the same for simplices inside the old domain, Alpha or above.", 1.,
+                       100.);
     prm.leave_subsection();
   }
 

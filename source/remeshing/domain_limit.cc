@@ -10,8 +10,8 @@ namespace Lahar
   void DomainLimit<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Remeshing");
-    prm.declare_entry(
-      "Domain", "", Patterns::Anything(),
+    prm.declare_list(
+      "Domain", "", ':',
       "Box, as two opposite corners 'x, y : x, y' (three coordinates in space): fluid particles that "
       "leave it are dropped with their cells and counted. Empty: no limits.");
     prm.leave_subsection();

@@ -48,12 +48,15 @@ namespace Lahar
      * @param growth by which more points are used each time that a simplex has stood.
      */
     template <int dim, typename Triangulation>
-    std::vector<Simplex<dim>>
-    find_simplices(const ParticleCloud<dim> &cloud, const std::vector<bool> &own, const double reach,
-                   const std::function<bool(const Simplex<dim> &)> &matters, const Migration<dim> &migration,
-                   std::vector<Point<dim>> &points, const std::vector<bool> &used_anyway,
-                   const unsigned int growth, Triangulation &triangulation)
+    std::vector<Simplex<dim>> find_simplices(const WantedSimplices<dim> &wanted,
+                                             std::vector<Point<dim>> &points,
+                                             const std::vector<bool> &used_anyway, const unsigned int growth,
+                                             Triangulation &triangulation)
     {
+      const ParticleCloud<dim> &cloud         = wanted.cloud;
+      const std::vector<bool> &own            = wanted.own;
+      const double reach                      = wanted.reach;
+      const Migration<dim> &migration         = wanted.migration;
       const std::vector<BoundingBox<dim>> box = find_box(points, own, reach);
       std::vector<unsigned int> added, others;
       std::vector<bool> used = used_anyway;
@@ -78,7 +81,8 @@ namespace Lahar
           for (const Simplex<dim> &simplex : triangulation.simplices())
           {
             const Simplex<dim> candidate = canonical<dim>(simplex);
-            if (*std::max_element(candidate.begin(), candidate.end()) >= cloud.size() || !matters(candidate))
+            if (*std::max_element(candidate.begin(), candidate.end()) >= cloud.size() ||
+                !wanted.matters(candidate))
               continue;
             result.push_back(candidate);
             const auto corners                 = corners_of<dim>(candidate, points);
@@ -130,27 +134,23 @@ namespace Lahar
   {
     std::vector<Point<dim>> points = cloud.position;
     DelaunayTriangulation<dim> triangulation(points);
-    return find_simplices<dim>(cloud, own, reach, matters, migration, points,
+    return find_simplices<dim>({cloud, own, reach, matters, migration}, points,
                                std::vector<bool>(cloud.size(), false), 1, triangulation);
   }
 
 
 
-  std::vector<Simplex<2>> local_constrained_delaunay(const ParticleCloud<2> &cloud,
-                                                     const std::vector<bool> &own, const double reach,
-                                                     const std::function<bool(const Simplex<2> &)> &matters,
-                                                     const Migration<2> &migration,
+  std::vector<Simplex<2>> local_constrained_delaunay(const WantedSimplices<2> &wanted,
                                                      const std::vector<std::array<unsigned int, 2>> &segments,
                                                      std::vector<bool> &forced)
   {
-    std::vector<Point<2>> points = cloud.position;
-    std::vector<bool> used(cloud.size(), false);
+    std::vector<Point<2>> points = wanted.cloud.position;
+    std::vector<bool> used(wanted.cloud.size(), false);
     for (const auto &segment : segments)
       for (const unsigned int i : segment)
         used[i] = true;
     ConstrainedDelaunay triangulation(points, segments);
-    const auto result = find_simplices<2>(cloud, own, reach, matters, migration, points, used, 2,
-                                          triangulation);
+    const auto result = find_simplices<2>(wanted, points, used, 2, triangulation);
     forced            = triangulation.forced();
     return result;
   }

@@ -120,11 +120,11 @@ namespace Lahar
   void ParticleSpacing<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Particle spacing");
-    prm.declare_entry("Shortest edge", "0.6", Patterns::Anything(),
-                      "Edges shorter than this times the spacing lose a particle. From 0 to 0.9.");
-    prm.declare_entry(
-      "Longest edge", "1.5", Patterns::Anything(),
-      "Edges longer than this times the spacing get a particle in their middle. From 1.3 to 10.");
+    prm.declare_number("Shortest edge", "0.6",
+                       "Edges shorter than this times the spacing lose a particle. From 0 to 0.9.", 0., 0.9);
+    prm.declare_number(
+      "Longest edge", "1.5",
+      "Edges longer than this times the spacing get a particle in their middle. From 1.3 to 10.", 1.3, 10.);
     prm.leave_subsection();
   }
 

@@ -13,10 +13,8 @@ namespace Lahar
   void Remesher<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Remeshing");
-    prm.declare_entry(
-      "Keep volume", "true", Patterns::Anything(),
-      "Whether particles of the free surface move so that remeshing changes no volume: true or "
-      "false.");
+    prm.declare_bool("Keep volume", true,
+                     "Whether particles of the free surface move so that remeshing changes no volume.");
     AlphaShape<dim>::declare_parameters(prm);
     ParticleSpacing<dim>::declare_parameters(prm);
     prm.leave_subsection();
@@ -81,7 +79,7 @@ namespace Lahar
       if (!solid_facets.empty())
       {
         std::vector<bool> forced;
-        const auto candidates = local_constrained_delaunay(cloud, own, reach, is_own_candidate, migration,
+        const auto candidates = local_constrained_delaunay({cloud, own, reach, is_own_candidate, migration},
                                                            solid_facets, forced);
         for (unsigned int f = 0; f < forced.size(); ++f)
           n_forced += (forced[f] && cloud.is_own(solid_facets[f][0]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/open_floor.h>
+#include <lahar/boundary/slip_condition.h>
 #include <lahar/remeshing/first_mesh_check.h>
 #include <lahar/simulator/cost_estimate.h>
 #include <lahar/simulator/simulator.h>
@@ -23,33 +24,34 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::initialize()
   {
-    warnings = solids.create(mesh_size, parameters.start_time, geometry.has_fluid() || gravity.norm() > 0.);
-    solids.append_particles(mesh_size, particles);
+    for (const std::string &text : solids.create(input.mesh_size, input.run.start_time,
+                                                 input.geometry.has_fluid() || input.gravity.norm() > 0.))
+      output.warn(text);
+    solids.append_particles(input.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    geometry.create(mesh_size, contour, particles, walls);
+    input.geometry.create(input.mesh_size, contour, particles, walls);
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
-    if (solves_directly && Utilities::MPI::n_mpi_processes(communicator) > 1)
-      warnings.push_back("Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; "
-                         "'iterative' is.");
-    for (const std::string &text : geometry.warnings(mesh_size.coarsest()))
-      warnings.push_back(text);
-    const std::string warning = warn_of_open_floor(particles, obstacles(contour), gravity);
-    if (!warning.empty())
-      warnings.push_back(warning);
-    slip_condition.initialize(particles);
-    domain_limit.check_initial(prm, particles);
+    if (solves_directly && Utilities::MPI::n_mpi_processes(communicator()) > 1)
+      output.warn(
+        "Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; 'iterative' is.");
+    for (const std::string &text : input.geometry.warnings(input.mesh_size.coarsest()))
+      output.warn(text);
+    if (const std::string text = warn_of_open_floor(particles, obstacles(contour), input.gravity);
+        !text.empty())
+      output.warn(text);
+    SlipCondition<dim>(walls).initialize(particles);
+    input.domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
-    for (const auto &postprocessor : postprocessors)
-      postprocessor->initialize(solids);
-    time = parameters.start_time;
+    time = input.run.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
-    initial_volume = volume = fluid_volume();
-    momentum.set(fluid_momentum());
+    account.volume.begin(fluid_volume());
+    account.momentum.set(fluid_momentum());
+    output.initialize(snapshot());
     warn_of_coarse_mesh();
-    files = file_checksums();
+    checkpoint.remember_files();
   }
 
 
@@ -65,14 +67,14 @@ namespace Lahar
         break;
       try
       {
-        remesher.create_mesh(particles, obstacles(contour), contour.facets(), geometry.region(), migration,
-                             fluid_mesh);
+        remesher.create_mesh(particles, obstacles(contour), contour.facets(), input.geometry.region(),
+                             migration, fluid_mesh);
       }
       catch (const RunError &error)
       {
         throw InputError(std::string("Initial mesh: ") + error.what() + ".");
       }
-      if (geometry.has_fluid() && count_on_ranks(fluid_mesh.n_cells()) == 0)
+      if (input.geometry.has_fluid() && count_on_ranks(fluid_mesh.n_cells()) == 0)
         throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                          ". Allowed: a mesh size well below the size of the fluid.");
       migrate();
@@ -93,13 +95,13 @@ namespace Lahar
   void Simulator<dim>::warn_of_coarse_mesh()
   {
     const std::string unit = dim == 2 ? " m^2" : " m^3";
-    const auto warn = [&](const std::ostringstream &text) { warnings.push_back("Warning: " + text.str()); };
-    const double asked = geometry.fluid_volume(), difference = initial_volume - asked;
+    const auto warn        = [&](const std::ostringstream &text) { output.warn("Warning: " + text.str()); };
+    const double asked = input.geometry.fluid_volume(), difference = account.volume.initial_volume() - asked;
     if (std::abs(difference) > 0.01 * asked)
     {
       std::ostringstream text;
-      text << "the first mesh has " << initial_volume << unit << " of fluid, and " << asked << unit
-           << " are asked for (" << std::showpos << 100. * difference / asked
+      text << "the first mesh has " << account.volume.initial_volume() << unit << " of fluid, and " << asked
+           << unit << " are asked for (" << std::showpos << 100. * difference / asked
            << " %): 'Mesh size' is too coarse for the shape.";
       warn(text);
     }
@@ -153,7 +155,7 @@ namespace Lahar
         warn(text);
       }
     }
-    if (const auto gap = geometry.narrow_gap(mesh_size, contour, thin))
+    if (const auto gap = input.geometry.narrow_gap(input.mesh_size, contour, thin))
     {
       std::ostringstream text;
       text << "the gap between " << gap->owner << " and " << gap->other_owner << " is " << gap->width
@@ -177,7 +179,7 @@ namespace Lahar
     text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
          << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
          << "\nFluid cells      " << n_fluid_cells << "\nUnknowns         " << (dim + 1) * n_vertices
-         << "\nFluid volume     " << initial_volume << (dim == 2 ? " m^2" : " m^3");
+         << "\nFluid volume     " << account.volume.initial_volume() << (dim == 2 ? " m^2" : " m^3");
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();
@@ -195,7 +197,7 @@ namespace Lahar
         text << thick << " mesh sizes across or more";
     }
     text << '\n' << estimate_cost(dim, n_fluid_cells + solids.mesh().n_cells(), prm);
-    for (const std::string &warning : warnings)
+    for (const std::string &warning : output.warnings())
       text << '\n' << warning;
     return text.str();
   }

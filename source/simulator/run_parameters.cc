@@ -9,7 +9,7 @@ namespace Lahar
 {
   void RunParameters::declare_parameters(Parameters &prm)
   {
-    prm.declare_entry("Dimension", "2", Patterns::Anything(), "Space dimension: 2 (plane strain) or 3.");
+    prm.declare_choice("Dimension", "2", "2|3", "Space dimension: 2 (plane strain) or 3.");
     prm.declare_file_list("Plugins",
                           "Shared libraries with further models, separated by ';', see doc/extending.md.");
     prm.declare_names(
@@ -19,35 +19,35 @@ namespace Lahar
       "Names of the boundaries, separated by ','; each has a subsection of its name in 'Boundaries'.");
     prm.declare_names(
       "Solids", "Names of the solids, separated by ','; each has a subsection of its name in 'Solids'.");
-    prm.declare_entry("Output directory", "output", Patterns::Anything(),
-                      "Directory for everything that the run writes; it is created if need be.");
-    prm.declare_entry("Start time", "0", Patterns::Anything(), "Time at the start in s.");
-    prm.declare_entry("End time", "1", Patterns::Anything(), "Time at the end in s, after the start.");
-    prm.declare_entry("Time step", "1e-3", Patterns::Anything(), "Time step in s, above zero.");
-    prm.declare_entry(
-      "Minimum time step", "0", Patterns::Anything(),
+    prm.declare_text("Output directory", "output",
+                     "Directory for everything that the run writes; it is created if need be.");
+    prm.declare_number("Start time", "0", "Time at the start in s.");
+    prm.declare_number("End time", "1", "Time at the end in s, after the start.");
+    prm.declare_positive("Time step", "1e-3", "Time step in s, above zero.");
+    prm.declare_positive(
+      "Minimum time step", "0",
       "A step that fails is repeated in halves down to this length in s, then the run stops; 0 means a "
       "sixty-fourth of the time step.");
-    prm.declare_entry(
-      "Maximum time step", "0", Patterns::Anything(),
+    prm.declare_positive(
+      "Maximum time step", "0",
       "Where the flow is slow, steps become longer than the time step, up to this length in s, so far as "
       "no particle of the mesh moves by more than a tenth of its spacing; 0 means the time step.");
-    prm.declare_entry(
-      "Largest movement", "2", Patterns::Anything(),
+    prm.declare_positive(
+      "Largest movement", "2",
       "How far particles of the mesh may move in a step, in units of their spacing, above zero. "
       "Where they are faster, the step is halved; if they accelerate to twice as much within a "
       "step, it is repeated in halves.");
-    prm.declare_entry(
-      "Mesh size", "0.01", Patterns::Anything(),
+    prm.declare_positive(
+      "Mesh size", "0.01",
       "Distance of neighbouring particles in m, above zero and at most the size of every body.");
-    prm.declare_entry("Output interval", "0.01", Patterns::Anything(),
-                      "Time between the snapshots for ParaView in s, zero or above; 0 writes every step.");
+    prm.declare_positive("Output interval", "0.01",
+                         "Time between the snapshots for ParaView in s, zero or above; 0 writes every step.");
     prm.enter_subsection("Checkpoint");
-    prm.declare_entry(
-      "Steps between", "0", Patterns::Anything(),
-      "Write a checkpoint whenever this number of time steps is done; 0: steps do not count.");
-    prm.declare_entry(
-      "Minutes between", "1", Patterns::Anything(),
+    prm.declare_count("Steps between", "0",
+                      "Write a checkpoint whenever this number of time steps is done; 0: steps do not count.",
+                      0, 1000000000);
+    prm.declare_positive(
+      "Minutes between", "1",
       "Write a checkpoint whenever this wall time in minutes has passed, and a hundred times what the last one took; 0: "
       "it does not count. There is one at the end of a run, too, and when a signal stops it.");
     prm.leave_subsection();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
+#include <lahar/boundary/slip_condition.h>
 #include <lahar/boundary/solid_collision.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
@@ -18,14 +19,9 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
-    RunParameters::declare_parameters(prm);
-    prm.declare_entry("Gravity", dim == 2 ? "0, -9.81" : "0, 0, -9.81", Patterns::Anything(),
-                      "Gravity vector in m/s², its components separated by commas.");
+    Case<dim>::declare_parameters(prm, structure);
     TimeIntegration::declare_parameters(prm);
-    InitialGeometry<dim>::declare_parameters(prm, structure);
     Solids<dim>::declare_parameters(prm, structure.solids);
-    DomainLimit<dim>::declare_parameters(prm);
-    MeshSize<dim>::declare_parameters(prm);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
@@ -36,30 +32,22 @@ namespace Lahar
 
   template <int dim>
   Simulator<dim>::Simulator(Parameters &prm, const CaseStructure &structure, const MPI_Comm &communicator)
-    : communicator(communicator)
-    , prm(prm)
+    : prm(prm)
     , migration(communicator)
-    , slip_condition(walls)
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , problem(communicator, timer)
-    , statistics(prm.get("Output directory") + "/statistics")
-    , convergence(prm.get("Output directory") + "/convergence")
-    , directory(prm.get("Output directory"))
-    , checkpoint(prm.get("Output directory"))
+    , output(input.run, prm, communicator)
+    , checkpoint(input.run, prm, communicator)
   {
-    parameters.parse_parameters(prm);
-    mesh_size.parse_parameters(prm, parameters.mesh_size);
-    gravity = prm.get_vector<dim>("Gravity");
-    time_integration.parse_parameters(prm);
     solids.parse_parameters(prm, structure.solids);
-    geometry.parse_parameters(prm, structure);
-    domain_limit.parse_parameters(prm);
+    input.parse_parameters(prm, structure);
+    time_integration.parse_parameters(prm);
     remesher.parse_parameters(prm);
     scheme       = NonlinearScheme<dim>::create(prm);
-    step_control = std::make_unique<StepControl>(parameters.time_step, parameters.minimum_time_step,
-                                                 parameters.maximum_time_step, scheme->max_iterations());
+    step_control = std::make_unique<StepControl>(input.run.time_step, input.run.minimum_time_step,
+                                                 input.run.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
-    postprocessors = Postprocessor<dim>::create_all(prm);
+    output.parse_parameters();
   }
 
 
@@ -67,14 +55,14 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::check_ranks() const
   {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    if (Utilities::MPI::n_mpi_processes(communicator()) == 1)
       return;
     const SolidState<dim> &state = solids.state();
     boost::crc_32_type sum;
     sum.process_bytes(&time, sizeof(time));
     sum.process_bytes(state.position.data(), state.position.size() * sizeof(Point<dim>));
     sum.process_bytes(state.velocity.data(), state.velocity.size() * sizeof(Tensor<1, dim>));
-    const auto range = Utilities::MPI::min_max_avg(static_cast<double>(sum.checksum()), communicator);
+    const auto range = Utilities::MPI::min_max_avg(static_cast<double>(sum.checksum()), communicator());
     if (range.min != range.max)
       throw RunError("Time " + std::to_string(time) +
                      " s: the ranks' solids differ. Do all ranks run the same program on the same kind of "
@@ -86,7 +74,7 @@ namespace Lahar
   template <int dim>
   double Simulator<dim>::region_distance() const
   {
-    return remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator);
+    return remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator());
   }
 
 
@@ -102,7 +90,7 @@ namespace Lahar
   template <int dim>
   double Simulator<dim>::sum_of_ranks(const double value) const
   {
-    return Utilities::MPI::sum(value, communicator);
+    return Utilities::MPI::sum(value, communicator());
   }
 
 
@@ -119,7 +107,7 @@ namespace Lahar
   template <int dim>
   Tensor<1, dim> Simulator<dim>::fluid_momentum() const
   {
-    return momentum.compute(fluid_mesh, particles, geometry.law().density(), communicator);
+    return account.momentum.compute(fluid_mesh, particles, input.geometry.law().density(), communicator());
   }
 
 
@@ -127,7 +115,7 @@ namespace Lahar
   template <int dim>
   unsigned int Simulator<dim>::count_on_ranks(const unsigned int n) const
   {
-    return Utilities::MPI::sum(n, communicator);
+    return Utilities::MPI::sum(n, communicator());
   }
 
 
@@ -136,18 +124,18 @@ namespace Lahar
   void Simulator<dim>::step(double time_step)
   {
     check_ranks();
-    if (step_number > 0 && geometry.has_fluid())
+    if (counters.steps > 0 && input.geometry.has_fluid())
       remesh(time_step);
 
     NonlinearReport report;
     for (bool accepted = false; !accepted;)
       try
       {
-        time_integration.start_step(time_step, step_number == 0);
-        problem.start_step(fluid_mesh, particles, constraints(), geometry.law(), gravity, time_integration,
-                           remeshing.arrives, solids, time + time_step, migration);
+        time_integration.start_step(time_step, counters.steps == 0);
+        problem.start_step({fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity,
+                            time_integration, time + time_step, constraints(), remeshing.arrives});
         report = scheme->solve(problem, [this] {
-          if (StopSignal::received(communicator) != 0)
+          if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
         });
         problem.check_closed_parts();
@@ -160,20 +148,20 @@ namespace Lahar
         message << "Time " << time + time_step << " s (step of " << time_step << " s), " << error.what();
         if (!step_control->halve(time_step))
         {
-          write_snapshot();
+          output.write_snapshot(snapshot());
           write_kept_state();
           throw RunError(message.str() +
                          "; the last snapshot and the checkpoint show the state before this step");
         }
-        progress->message(message.str() + "; repeated with half the step");
-        ++n_rejected;
+        output.message(message.str() + "; repeated with half the step");
+        ++counters.rejected;
       }
     step_control->accept(report.iterations);
 
     const std::vector<Point<dim>> old_position = solids.state().position;
     move_particles(time_step);
     time += time_step;
-    ++step_number;
+    ++counters.steps;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
     stop_at_collision(old_position);
@@ -185,17 +173,15 @@ namespace Lahar
   void Simulator<dim>::remesh(const double time_step)
   {
     TimerOutput::Scope scope(timer, "Remesh");
-    if (const unsigned int n_dropped = count_on_ranks(domain_limit.drop_outside(particles, fluid_mesh)))
+    if (const unsigned int n_dropped = count_on_ranks(input.domain_limit.drop_outside(particles, fluid_mesh)))
     {
-      n_left += n_dropped;
-      const double volume_inside = fluid_volume();
-      left_volume += (volume - volume_inside) / initial_volume;
-      volume = volume_inside;
-      momentum.set(fluid_momentum());
+      counters.left += n_dropped;
+      account.volume.left(fluid_volume());
+      account.momentum.set(fluid_momentum());
     }
     migrate();
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    mesh_size.update(particles);
+    input.mesh_size.update(particles);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
@@ -205,11 +191,9 @@ namespace Lahar
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
-    n_forced_facets += count_on_ranks(remeshing.n_forced);
-    const double new_volume = fluid_volume();
-    change_by_remeshing += (new_volume - volume) / initial_volume;
-    volume = new_volume;
-    momentum.changed(fluid_momentum());
+    counters.forced_facets += count_on_ranks(remeshing.n_forced);
+    account.volume.remeshed(fluid_volume());
+    account.momentum.changed(fluid_momentum());
     if (count_on_ranks(fluid_mesh.n_cells()) == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated or have left the domain.");
@@ -223,7 +207,7 @@ namespace Lahar
     double fastest = std::numeric_limits<double>::min();
     for (const unsigned int i : fluid_mesh.particles())
       fastest = std::max(fastest, particles.velocity[i].norm() / particles.spacing[i]);
-    return Utilities::MPI::max(fastest, communicator);
+    return Utilities::MPI::max(fastest, communicator());
   }
 
 
@@ -232,7 +216,7 @@ namespace Lahar
   void Simulator<dim>::check_movements() const
   {
     const auto [movement, place] = problem.largest_movement(particles);
-    if (movement > 2. * parameters.largest_movement)
+    if (movement > 2. * input.run.largest_movement)
     {
       std::ostringstream message;
       message << "the particle at (" << place << ") m moves by " << movement
@@ -250,13 +234,11 @@ namespace Lahar
     const std::vector<Point<dim>> old_position = particles.position;
     problem.accept(particles, solids);
     take_mean_forces();
-    if (geometry.has_fluid())
+    if (input.geometry.has_fluid())
     {
-      const double new_volume = fluid_volume();
-      change_by_solver += (new_volume - volume) / initial_volume;
-      volume = new_volume;
-      momentum.start_step(time_integration.carried_time());
-      momentum.set(fluid_momentum());
+      account.volume.solved(fluid_volume());
+      account.momentum.start_step(time_integration.carried_time());
+      account.momentum.set(fluid_momentum());
     }
 
     const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(fluid_mesh, particles);
@@ -264,18 +246,18 @@ namespace Lahar
     for (const unsigned int particle : fluid_mesh.particles())
       in_mesh[particle] = true;
     solids.move_particles(in_mesh, particles);
-    move_isolated_particles(fluid_mesh, gravity, time_step, particles);
+    move_isolated_particles(fluid_mesh, input.gravity, time_step, particles);
     stop_at_walls(old_position, walls, particles);
-    n_kept_out += count_on_ranks(
+    counters.kept_out += count_on_ranks(
       SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
-    slip_condition.update(old_position, particles);
+    SlipCondition<dim>(walls).update(old_position, particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
     fluid_mesh.move(particles);
-    if (geometry.has_fluid())
-      momentum.changed(fluid_momentum());
-    n_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
+    if (input.geometry.has_fluid())
+      account.momentum.changed(fluid_momentum());
+    counters.cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
   }
 
 
@@ -299,12 +281,12 @@ namespace Lahar
     const auto place = SolidCollision<dim>::find(solids.mesh(), old_position, solids.state().position, walls);
     if (!place)
       return;
-    write_snapshot();
+    output.write_snapshot(snapshot());
     write_checkpoint();
     std::ostringstream message;
     message
       << "Time " << time << " s: solid '" << solids.all_bodies()[place->body].name << "' has run into "
-      << (place->wall                        ? "boundary " + geometry.wall_name(*place->wall)
+      << (place->wall                        ? "boundary " + input.geometry.wall_name(*place->wall)
           : place->body == place->other_body ? "itself"
                                              : "solid '" + solids.all_bodies()[place->other_body].name + "'")
       << " at (" << place->point
@@ -330,6 +312,7 @@ namespace Lahar
   template <int dim>
   std::vector<NodeConstraint<dim>> Simulator<dim>::constraints() const
   {
+    const SlipCondition<dim> slip_condition(walls);
     std::vector<NodeConstraint<dim>> result;
     result.reserve(fluid_mesh.n_vertices());
     for (const unsigned int particle : fluid_mesh.particles())

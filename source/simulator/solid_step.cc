@@ -136,7 +136,7 @@ namespace Lahar
   {
     return system_nodes.empty() ||
            assembler.assemble(*solids, state, {integration.length(), integration.acceleration_factor(false)},
-                              gravity, external_forces, system_nodes, system);
+                              {gravity, external_forces}, system_nodes, system);
   }
 
 

@@ -8,20 +8,16 @@
 namespace Lahar
 {
   template <int dim>
-  void StepProblem<dim>::start_step(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                                    const std::vector<NodeConstraint<dim>> &vertex_constraints,
-                                    const FluidLaw &law, const Tensor<1, dim> &new_gravity,
-                                    const TimeIntegration &integration, const std::vector<bool> &arrives,
-                                    const Solids<dim> &solids, const double end_time,
-                                    const Migration<dim> &migration)
+  void StepProblem<dim>::start_step(const Start &start)
   {
-    region_mesh      = &new_mesh;
-    fluid_law        = &law;
-    gravity          = new_gravity;
-    time_integration = integration;
-    solid.start(solids, *region_mesh, time_integration.with_gamma(solids.newmark_gamma()), end_time);
-    reinit_system(cloud, migration);
-    set_constraints(vertex_constraints);
+    region_mesh      = &start.mesh;
+    fluid_law        = &start.law;
+    gravity          = start.gravity;
+    time_integration = start.time_integration;
+    solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
+                start.end_time);
+    reinit_system(start.cloud, start.migration);
+    set_constraints(start.constraints);
     linear_solver->forget();
 
     // What is told by vertex is by those of the region's mesh.
@@ -29,13 +25,14 @@ namespace Lahar
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
       const unsigned int node = system.local_number(v);
-      impulsive.push_back(arrives[system.partition().nodes()[node]] || constraints[node].n_fixed == dim);
-      can_be_held[node] = cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
+      impulsive.push_back(start.arrives[system.partition().nodes()[node]] ||
+                          constraints[node].n_fixed == dim);
+      can_be_held[node] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
     }
-    fluid.start(*mesh, cloud, time_integration, impulsive);
+    fluid.start(*mesh, start.cloud, time_integration, impulsive);
     double spacing = 0.;
     for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
-      spacing += cloud.spacing[mesh->particle(v)];
+      spacing += start.cloud.spacing[mesh->particle(v)];
     mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
                    std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
     held_vertices.start_step(can_be_held);
@@ -43,13 +40,13 @@ namespace Lahar
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
     pressure_change.assign(mesh->n_vertices(), 0.);
 
-    assembler.set_stabilization(*mesh, law, gravity, fluid.state);
+    assembler.set_stabilization(*mesh, start.law, gravity, fluid.state);
     // There is no pressure yet: the residual is the weight, not the divergence of a stress.
     if (time_integration.is_first_step())
       fluid.state.residual_projection.assign(mesh->n_vertices(), Tensor<1, dim>());
     update_vertices(fluid.state.residual_projection);
-    if (law.yield_stress() > 0.)
-      assembler.start_plastic_dual(*mesh, law, fluid.state);
+    if (start.law.yield_stress() > 0.)
+      assembler.start_plastic_dual(*mesh, start.law, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
       velocities[node] = solid.mean_velocity(i); // the prescribed ones
@@ -109,12 +106,9 @@ namespace Lahar
       TimerOutput::Scope scope(timer, "Set up system");
       connectivity_number  = region_mesh->connectivity_number();
       numbered_solid_nodes = solid.nodes();
-      std::vector<unsigned int> owners;
-      std::vector<std::uint64_t> keys;
-      if (!is_alone)
-        identify_nodes(cloud, migration, positions, owners, keys);
-      system.reinit(region_mesh->n_vertices(), region_mesh->cells(), solid.n_own_nodes(), solid.cells(),
-                    solid.nodes_per_cell(), positions, owners, keys);
+      system.reinit(region_mesh->n_vertices(), region_mesh->cells(),
+                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell()}, positions,
+                    is_alone ? NodeIdentities() : identify_nodes(cloud, migration, positions));
       solution = system.make_vector();
     }
     else
@@ -137,22 +131,23 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
-                                        const std::vector<Point<dim>> &positions,
-                                        std::vector<unsigned int> &owners,
-                                        std::vector<std::uint64_t> &keys) const
+  NodeIdentities StepProblem<dim>::identify_nodes(const ParticleCloud<dim> &cloud,
+                                                  const Migration<dim> &migration,
+                                                  const std::vector<Point<dim>> &positions) const
   {
+    NodeIdentities identities;
     for (const unsigned int i : region_mesh->particles())
     {
-      owners.push_back(cloud.owner[i]);
-      keys.push_back(cloud.number[i]);
+      identities.owners.push_back(cloud.owner[i]);
+      identities.keys.push_back(cloud.number[i]);
     }
     constexpr std::uint64_t beyond_particles = 1ULL << 60;
     for (unsigned int node = region_mesh->n_vertices(); node < positions.size(); ++node)
     {
-      owners.push_back(migration.rank_at(positions[node]));
-      keys.push_back(beyond_particles + solid.solid_node(node));
+      identities.owners.push_back(migration.rank_at(positions[node]));
+      identities.keys.push_back(beyond_particles + solid.solid_node(node));
     }
+    return identities;
   }
 
 
@@ -189,14 +184,6 @@ namespace Lahar
 
   template void StepProblem<2>::fix_pressures();
   template void StepProblem<3>::fix_pressures();
-  template void StepProblem<2>::start_step(const FluidMesh<2> &, const ParticleCloud<2> &,
-                                           const std::vector<NodeConstraint<2>> &, const FluidLaw &,
-                                           const Tensor<1, 2> &, const TimeIntegration &,
-                                           const std::vector<bool> &, const Solids<2> &, const double,
-                                           const Migration<2> &);
-  template void StepProblem<3>::start_step(const FluidMesh<3> &, const ParticleCloud<3> &,
-                                           const std::vector<NodeConstraint<3>> &, const FluidLaw &,
-                                           const Tensor<1, 3> &, const TimeIntegration &,
-                                           const std::vector<bool> &, const Solids<3> &, const double,
-                                           const Migration<3> &);
+  template void StepProblem<2>::start_step(const Start &);
+  template void StepProblem<3>::start_step(const Start &);
 } // namespace Lahar

@@ -18,9 +18,8 @@ namespace Lahar
     }
     catch (...)
     {
-      if (progress != nullptr)
-        progress->failure(Failure::current().message);
-      directory.release(); // what comes now may end the process at once
+      output.failure(Failure::current().message);
+      output.release_directory(); // what comes now may end the process at once
       throw;
     }
   }
@@ -32,49 +31,43 @@ namespace Lahar
   {
     start_output();
     double cell_steps     = 0.;
-    const double rounding = 1e-10 * parameters.time_step;
+    const double rounding = 1e-10 * input.run.time_step;
     int signal            = 0;
     bool interrupted      = false; // in the middle of a step
-    while (time < parameters.end_time - rounding && (signal = StopSignal::received(communicator)) == 0)
+    while (time < input.run.end_time - rounding && (signal = StopSignal::received(communicator())) == 0)
     {
       {
         TimerOutput::Scope scope(timer, "Keep state");
         keep_state();
       }
-      const double output_time = last_output_time + parameters.output_interval;
       try
       {
         step(step_control->next(time,
-                                parameters.output_interval > 0. ? std::min(output_time, parameters.end_time)
-                                                                : parameters.end_time,
-                                fastest_movement(), parameters.largest_movement));
+                                input.run.output_interval > 0.
+                                  ? std::min(output.next_time(), input.run.end_time)
+                                  : input.run.end_time,
+                                fastest_movement(), input.run.largest_movement));
       }
       catch (const StopRequest &)
       {
-        signal      = StopSignal::received(communicator);
+        signal      = StopSignal::received(communicator());
         interrupted = true;
         break;
       }
-      cell_steps += n_cells;
+      cell_steps += counters.cells;
 
       TimerOutput::Scope scope(timer, "Output");
-      if (parameters.output_interval == 0. || time >= output_time - rounding ||
-          time >= parameters.end_time - rounding)
-      {
-        write_snapshot();
-        advance_output_time();
-      }
-      if (checkpoint_is_due())
-        write_checkpoint();
+      output.write_due_snapshot(snapshot());
+      write_due_checkpoint();
     }
     if (!interrupted)
       keep_state();
     write_kept_state();
     if (signal != 0)
-      progress->message(StopSignal::name(signal) + ": stopped after step " + std::to_string(step_number) +
-                        " at " + std::to_string(time) + " s. Option --resume goes on from here.");
+      output.message(StopSignal::name(signal) + ": stopped after step " + std::to_string(counters.steps) +
+                     " at " + std::to_string(time) + " s. Option --resume goes on from here.");
     if (cell_steps > 0.)
-      progress->summary(timer, cell_steps);
+      output.summary(timer, cell_steps);
   }
 
 

@@ -36,21 +36,18 @@ namespace Lahar
                       corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
                       by      = boxes + corners + " separated by ';'";
     Factory<SolidShape<dim>>::declare_choice(prm, "Shape", "", "The undeformed solid.");
-    prm.declare_entry("Clamped", "", Patterns::Anything(),
-                      "Part of the contour that does not move" + by + ".");
-    prm.declare_entry("Driven", "", Patterns::Anything(),
-                      "Part of the contour with a given motion" + by + ".");
-    prm.declare_entry(
-      "Driving velocity", zero, Patterns::Anything(),
-      "Velocity of the driven part in m/s: functions of the undeformed coordinates and of the "
-      "time t, one per component, separated by ';'.");
-    prm.declare_entry("Loaded", "", Patterns::Anything(), "Part of the contour with a given load" + by + ".");
-    prm.declare_entry(
-      "Traction", zero, Patterns::Anything(),
+    prm.declare_list("Clamped", "", ';', "Part of the contour that does not move" + by + ".");
+    prm.declare_list("Driven", "", ';', "Part of the contour with a given motion" + by + ".");
+    prm.declare_list("Driving velocity", zero, ';',
+                     "Velocity of the driven part in m/s: functions of the undeformed coordinates and of the "
+                     "time t, one per component, separated by ';'.");
+    prm.declare_list("Loaded", "", ';', "Part of the contour with a given load" + by + ".");
+    prm.declare_list(
+      "Traction", zero, ';',
       "Force per undeformed area on the loaded part in Pa, functions as in 'Driving velocity'. "
       "It keeps its direction when the solid turns.");
-    prm.declare_entry(
-      "Initial velocity", zero, Patterns::Anything(),
+    prm.declare_list(
+      "Initial velocity", zero, ';',
       "Initial velocity in m/s, functions of the coordinates, one per component, separated by ';'.");
     SolidLaw::declare_parameters(prm);
   }

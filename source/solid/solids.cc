@@ -20,14 +20,16 @@ namespace Lahar
   void Solids<dim>::declare_parameters(Parameters &prm, const std::vector<std::string> &names)
   {
     prm.enter_subsection("Solids");
-    prm.declare_entry(
-      "Degree", "2", Patterns::Anything(),
-      "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.");
-    prm.declare_entry("Largest number of nodes", "1000000", Patterns::Anything(),
-                      "A case is refused if its solids ask for more nodes than this, 1 to 100000000.");
-    prm.declare_entry(
-      "Newmark gamma", "1.5", Patterns::Anything(),
-      "Newmark's γ for the solids, 0.5 to 1.5. 0.5 keeps the energy; larger values damp vibrations.");
+    prm.declare_count(
+      "Degree", "2", "Degree of the solids' displacements: 1 or 2. Linear elements are too stiff in bending.",
+      1, 2);
+    prm.declare_count("Largest number of nodes", "1000000",
+                      "A case is refused if its solids ask for more nodes than this, 1 to 100000000.", 1,
+                      100000000);
+    prm.declare_number(
+      "Newmark gamma", "1.5",
+      "Newmark's γ for the solids, 0.5 to 1.5. 0.5 keeps the energy; larger values damp vibrations.", 0.5,
+      1.5);
     const std::map<std::string, std::string> entries = prm.values();
     for (const std::string &name : names)
     {

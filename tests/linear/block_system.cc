@@ -148,7 +148,7 @@ void test()
     }
 
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(example.n_nodes, example.cells, 0, {}, 0, example.points);
+  system.reinit(example.n_nodes, example.cells, {}, example.points);
   std::vector<NodeConstraint<dim>> constraints;
   for (const unsigned int node : system.partition().nodes())
     constraints.push_back(example.constraints[node]);
@@ -158,7 +158,7 @@ void test()
     if (repetition == 2) // the same cells again: the matrices stay, the constraints do not
     {
       const double *values = system.values(0, 0);
-      system.reinit(example.n_nodes, example.cells, 0, {}, 0, example.points);
+      system.reinit(example.n_nodes, example.cells, {}, example.points);
       check(name + "the matrices stay", system.pattern_number() == 1 && system.values(0, 0) == values);
       system.set_constraints(constraints);
     }
@@ -298,7 +298,7 @@ void test()
   }
 
   const std::vector<Simplex<dim>> fewer(example.cells.begin(), example.cells.end() - 1);
-  system.reinit(example.n_nodes, fewer, 0, {}, 0, example.points);
+  system.reinit(example.n_nodes, fewer, {}, example.points);
   check(name + "other cells, other matrices", system.pattern_number() == 2);
 }
 

@@ -66,7 +66,7 @@ void test(const unsigned int n)
     owners.push_back(std::min<unsigned int>(positions.back()[0] / (0.01 * n) * n_ranks, n_ranks - 1));
     keys.push_back(particle);
   }
-  system.reinit(mesh.n_vertices(), mesh.cells(), 0, {}, 0, positions, owners, keys);
+  system.reinit(mesh.n_vertices(), mesh.cells(), {}, positions, {owners, keys});
   FluidMesh<dim> part;
   part.reinit_part(mesh, system.partition().nodes(), system.cells());
 

@@ -148,11 +148,12 @@ void test_tangent(const unsigned int degree, const std::string &law)
   };
 
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(0, {}, mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell(), old.position);
+  system.reinit(0, {}, {mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell()}, old.position);
   const auto residual = [&](const double length) {
     system.set_zero();
-    check(name + "assembled", assembler.assemble(solids, moved(length), factors, gravity,
-                                                 solids.external_forces(1.), nodes, system));
+    const auto forces = solids.external_forces(1.);
+    check(name + "assembled",
+          assembler.assemble(solids, moved(length), factors, {gravity, forces}, nodes, system));
     return system.right_hand_side();
   };
   const double step = 1e-5;

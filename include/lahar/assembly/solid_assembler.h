@@ -15,6 +15,14 @@ namespace Lahar
     double acceleration = 0.; ///< ∂a/∂v, 1/s
   };
 
+  /// What acts on the solids beside the fluid.
+  template <int dim>
+  struct SolidLoads
+  {
+    const Tensor<1, dim> &gravity;                      ///< m/s²
+    const std::vector<Tensor<1, dim>> &external_forces; ///< by node, N, or empty
+  };
+
   /**
    * Assembles the solids' momentum balance in the configuration at the end of the step,
    *
@@ -34,8 +42,8 @@ namespace Lahar
      * @return whether all cells have positive volume; if not, the system is incomplete.
      */
     bool assemble(const Solids<dim> &solids, const SolidState<dim> &state, const SolidFactors &factors,
-                  const Tensor<1, dim> &gravity, const std::vector<Tensor<1, dim>> &external_forces,
-                  const std::vector<unsigned int> &nodes, BlockSystem<dim> &system) const;
+                  const SolidLoads<dim> &loads, const std::vector<unsigned int> &nodes,
+                  BlockSystem<dim> &system) const;
 
     /// Set the stress of @p state from its positions and from the solids' state at the start of the step.
     void update_stress(const Solids<dim> &solids, SolidState<dim> &state) const;

@@ -23,6 +23,21 @@ namespace Lahar
 {
   using namespace dealii;
 
+  /// The solids' part of a system.
+  struct SolidPart
+  {
+    unsigned int n_nodes = 0;        ///< that are none of the fluid's
+    std::vector<unsigned int> cells; ///< node numbers, one cell after the other
+    unsigned int nodes_per_cell = 0;
+  };
+
+  /// What the nodes are on all ranks, see NodePartition::reinit(). Without owners all ranks have the whole mesh.
+  struct NodeIdentities
+  {
+    std::vector<unsigned int> owners;
+    std::vector<std::uint64_t> keys;
+  };
+
   /**
    * The Trilinos block system of one nonlinear iteration,
    *
@@ -57,16 +72,13 @@ namespace Lahar
 
     /**
      * Number the unknowns and make the matrices for a new fluid mesh of @p cells with @p n_fluid_nodes nodes, and for
-     * the @p solid_cells, @p nodes_per_solid_cell node numbers each, with @p n_solid_nodes nodes of their own; solids
-     * need the nodes' @p positions. Where, on all ranks, the same cells join the same nodes as before, the matrices
-     * stay. Collective.
-     * @param owners, @p keys see NodePartition::reinit(); without owners all ranks have the whole mesh, and an equal
-     * share of the nodes' numbers each.
+     * the @p solids, which need the nodes' @p positions. Where, on all ranks, the same cells join the same nodes as
+     * before, the matrices stay. Collective.
+     * @param identities without owners each rank has an equal share of the nodes' numbers.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
-                const unsigned int n_solid_nodes = 0, const std::vector<unsigned int> &solid_cells = {},
-                const unsigned int nodes_per_solid_cell = 0, const std::vector<Point<dim>> &positions = {},
-                const std::vector<unsigned int> &owners = {}, const std::vector<std::uint64_t> &keys = {});
+                const SolidPart &solids = {}, const std::vector<Point<dim>> &positions = {},
+                const NodeIdentities &identities = {});
 
     /// Numbers of the fluid's cells that this rank adds, ascending.
     const std::vector<unsigned int> &cells() const

@@ -11,6 +11,20 @@ namespace Lahar
 {
   using namespace dealii;
 
+  /// A line of the statistics that is being made.
+  class StatisticsTable : public TableHandler
+  {
+  public:
+    /// The name of a column that has more than one value; empty where none has.
+    std::string doubled_column() const
+    {
+      for (const auto &[name, column] : columns)
+        if (column.entries.size() > 1)
+          return name;
+      return "";
+    }
+  };
+
   /**
    * The only line of @p table as text, its columns right-aligned: numbers with a point, nan and inf 16 characters wide,
    * whole numbers 7, or more where they need more.

@@ -38,6 +38,17 @@ namespace Lahar
   local_delaunay(const ParticleCloud<dim> &cloud, const std::vector<bool> &own, const double reach,
                  const std::function<bool(const Simplex<dim> &)> &matters, const Migration<dim> &migration);
 
+  /// The arguments of local_delaunay().
+  template <int dim>
+  struct WantedSimplices
+  {
+    const ParticleCloud<dim> &cloud;
+    const std::vector<bool> &own;
+    double reach; ///< m
+    const std::function<bool(const Simplex<dim> &)> &matters;
+    const Migration<dim> &migration;
+  };
+
   /**
    * The same of the constrained Delaunay triangulation with the given segments between particles that all ranks know.
    *
@@ -46,10 +57,7 @@ namespace Lahar
    * @param forced see ConstrainedDelaunay::forced().
    * @throws RunError if two segments cross.
    */
-  std::vector<Simplex<2>> local_constrained_delaunay(const ParticleCloud<2> &cloud,
-                                                     const std::vector<bool> &own, const double reach,
-                                                     const std::function<bool(const Simplex<2> &)> &matters,
-                                                     const Migration<2> &migration,
+  std::vector<Simplex<2>> local_constrained_delaunay(const WantedSimplices<2> &wanted,
                                                      const std::vector<std::array<unsigned int, 2>> &segments,
                                                      std::vector<bool> &forced);
 } // namespace Lahar

@@ -5,32 +5,24 @@
 
 #include <deal.II/base/timer.h>
 
-#include <lahar/boundary/slip_condition.h>
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/walls.h>
-#include <lahar/geometry/initial_geometry.h>
-#include <lahar/geometry/mesh_size.h>
-#include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
-#include <lahar/postprocess/postprocessor.h>
-#include <lahar/postprocess/progress.h>
-#include <lahar/postprocess/visualization.h>
-#include <lahar/remeshing/domain_limit.h>
 #include <lahar/remeshing/fluid_mesh.h>
+#include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/remesher.h>
+#include <lahar/simulator/case.h>
 #include <lahar/simulator/momentum_account.h>
 #include <lahar/simulator/nonlinear_scheme.h>
-#include <lahar/simulator/run_parameters.h>
+#include <lahar/simulator/run_checkpoint.h>
+#include <lahar/simulator/run_output.h>
 #include <lahar/simulator/step_control.h>
+#include <lahar/simulator/step_counters.h>
 #include <lahar/simulator/step_problem.h>
 #include <lahar/simulator/time_integration.h>
+#include <lahar/simulator/volume_account.h>
 #include <lahar/solid/solids.h>
-#include <lahar/utilities/appended_file.h>
-#include <lahar/utilities/checkpoint_file.h>
-#include <lahar/utilities/output_directory.h>
 
-#include <cstdint>
-#include <map>
 #include <memory>
 
 namespace Lahar
@@ -54,7 +46,10 @@ namespace Lahar
 
     /// Take the output directory for this run, see OutputDirectory::take(). Whoever does without it, as programs that
     /// use the library may, overwrites what is there. Collective. @throws InputError
-    void take_output_directory(const OutputDirectory::Use use);
+    void take_output_directory(const OutputDirectory::Use use)
+    {
+      output.take_directory(use);
+    }
 
     /// Create particles, walls and first mesh. @throws InputError
     void initialize();
@@ -83,6 +78,11 @@ namespace Lahar
     }
 
   private:
+    const MPI_Comm &communicator() const
+    {
+      return migration.communicator();
+    }
+
     /**
      * One time step: remesh, solve, move, account. A step whose nonlinear iteration fails leaves the particles where
      * they were and is repeated with half the length. @throws StopRequest between nonlinear iterations after a signal;
@@ -118,95 +118,57 @@ namespace Lahar
     std::vector<NodeConstraint<dim>> constraints() const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.
     void create_first_mesh();
-    /// Where the first mesh does not show the shapes that were asked for.
+    /// Say where the first mesh does not show the shapes that were asked for.
     void warn_of_coarse_mesh();
     void add_statistics(const double time_step, const NonlinearReport &report);
-    /// Say once when the account of the volume has passed one percent.
-    void warn_of_volume();
     Snapshot<dim> snapshot();
 
     /// run() without what concerns its failures.
     void compute();
+    /// Begin or go on with the files of the output directory.
     void start_output();
-    /// Make again what others have removed of the output, and say so. Collective. @throws RunError where that cannot be.
-    void mend_output();
-    void write_parameters() const;
-    void advance_output_time();
-    void write_snapshot();
-    bool checkpoint_is_due() const;
+    /// Write a checkpoint if one is due.
+    void write_due_checkpoint();
     /// Note down all that a checkpoint of this moment holds.
     void keep_state();
     /// Write what was noted down last.
     void write_kept_state();
     void write_checkpoint();
+    /// What is common to all ranks.
     template <typename Archive>
     void save_or_load(Archive &archive);
-    /// What is common to all ranks. Collective, though the first rank's counts.
+    /// The same as text, on the first rank. Collective.
     std::string save_state();
     std::string save_piece() const;
-    /// @param divide whether there are as many pieces as ranks, which therefore share space as before.
-    void load_pieces(const std::vector<std::string> &pieces, const bool divide);
-    void check_unchanged(const std::map<std::string, std::string> &earlier_values) const;
-    /// Checksums of the files that entries name, by entry.
-    std::map<std::string, unsigned int> file_checksums() const;
-    void check_files(const std::map<std::string, unsigned int> &earlier_files) const;
+    void load_pieces(const RunCheckpoint::Content &content);
     /// Own particles and cells on all ranks.
     std::pair<unsigned int, unsigned int> particles_and_cells() const;
 
-    MPI_Comm communicator;
     Parameters &prm;
-    RunParameters parameters;
-
-    Tensor<1, dim> gravity;
-    MeshSize<dim> mesh_size;
-    InitialGeometry<dim> geometry;
+    Case<dim> input;
+    Solids<dim> solids;
     TimeIntegration time_integration;
-    DomainLimit<dim> domain_limit;
     Remesher<dim> remesher;
     Migration<dim> migration;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
     std::unique_ptr<StepControl> step_control;
-
-    Solids<dim> solids;
-    ParticleCloud<dim> particles;
-    Walls<dim> walls;
-    SlipCondition<dim> slip_condition;
-    FluidMesh<dim> fluid_mesh;
-
     TimerOutput timer;
     StepProblem<dim> problem;
 
-    double time              = 0.;
-    unsigned int step_number = 0, n_rejected = 0, n_forced_facets = 0, n_kept_out = 0, n_left = 0,
-                 n_cells  = 0; ///< of the fluid, on all ranks
-    double initial_volume = 0., volume = 0., change_by_solver = 0., change_by_remeshing = 0.,
-           left_volume = 0.;
-    MomentumAccount<dim> momentum;
-    TimeMeans means;                          ///< since the last snapshot
+    double time = 0.; ///< s
+    ParticleCloud<dim> particles;
+    Walls<dim> walls;
+    FluidMesh<dim> fluid_mesh;
     typename Remesher<dim>::Report remeshing; ///< the last one
 
-    std::vector<std::string> warnings;
-    bool warned_of_volume = false;
-    std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
-    AppendedFile statistics;
-    AppendedFile convergence; ///< the increments of every iteration
-    std::unique_ptr<Visualization<dim>> visualization;
-    std::unique_ptr<Progress> progress;
-    double last_output_time = 0.; ///< when output was due last, s
-
-    OutputDirectory directory;
-    CheckpointFile checkpoint;
-    CheckpointFile::Piece piece;               ///< this rank's of the last checkpoint
-    std::map<std::string, unsigned int> files; ///< file_checksums() as the run began
-    bool resumed                     = false;
-    double last_checkpoint_wall_time = 0., earlier_wall_time = 0.; ///< s
-    double checkpoint_duration = 0.;                               ///< of the last one, s
+    StepCounters counters;
     struct
     {
-      std::string piece, state;                               ///< the state on the first rank only
-    } kept;                                                   ///< by keep_state()
-    std::map<std::string, std::string> parameter_values;      ///< on the first rank, once they are needed
-    std::uintmax_t statistics_size = 0, convergence_size = 0; ///< of the files at the checkpoint, bytes
+      VolumeAccount<dim> volume;
+      MomentumAccount<dim> momentum;
+    } account;
+    RunOutput<dim> output;
+    RunCheckpoint checkpoint;
   };
 } // namespace Lahar
 

@@ -41,17 +41,25 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
-    /**
-     * Begin a step: take the state of the mesh's particles and of the solids; velocities and pressures start from the
-     * old ones, prescribed velocities have their values at @p end_time.
-     * @param constraints by vertex; the particles' velocities and accelerations obey them already.
-     * @param arrives by vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
-     */
-    void start_step(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                    const std::vector<NodeConstraint<dim>> &constraints, const FluidLaw &law,
-                    const Tensor<1, dim> &gravity, const TimeIntegration &time_integration,
-                    const std::vector<bool> &arrives, const Solids<dim> &solids, const double end_time,
-                    const Migration<dim> &migration);
+    /// What a step starts from.
+    struct Start
+    {
+      const FluidMesh<dim> &mesh;
+      const ParticleCloud<dim> &cloud;
+      const Solids<dim> &solids;
+      const Migration<dim> &migration;
+      const FluidLaw &law;
+      Tensor<1, dim> gravity; ///< m/s²
+      const TimeIntegration &time_integration;
+      double end_time; ///< s
+      /// By vertex; the particles' velocities and accelerations obey them already.
+      std::vector<NodeConstraint<dim>> constraints;
+      /// By vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
+      const std::vector<bool> &arrives;
+    };
+
+    /// Begin a step: velocities and pressures start from the old ones, prescribed velocities have their values at the end.
+    void start_step(const Start &start);
 
     /// Assemble residual and Jacobian. @throws RunError if a simplex is inverted.
     void assemble(const Linearization &linearization);
@@ -147,10 +155,8 @@ namespace Lahar
 
   private:
     void reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
-    /// Owners and keys of the system's nodes, see NodePartition::reinit().
-    void identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
-                        const std::vector<Point<dim>> &positions, std::vector<unsigned int> &owners,
-                        std::vector<std::uint64_t> &keys) const;
+    NodeIdentities identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
+                                  const std::vector<Point<dim>> &positions) const;
     void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
     /// Fix the pressures that nothing determines, and hand the constraints to the system.
     void fix_pressures();

@@ -97,9 +97,9 @@ namespace Lahar
     static void declare_choice(Parameters &prm, const std::string &entry, const std::string &default_name,
                                const std::string &documentation)
     {
-      prm.declare_entry(entry, default_name, Patterns::Anything(),
-                        documentation + " " + descriptions() +
-                          " Its parameters, if it has any, stand in the subsection of its name.");
+      prm.declare_choice(entry, default_name, names(),
+                         documentation + " " + descriptions() +
+                           " Its parameters, if it has any, stand in the subsection of its name.");
       declare_parameters(prm);
     }
 

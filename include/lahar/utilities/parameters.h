@@ -26,6 +26,42 @@ namespace Lahar
     void enter_subsection(const std::string &name);
     void leave_subsection();
 
+    /// A finite number; with limits one in [@p lower, @p upper].
+    void declare_number(const std::string &entry, const std::string &default_value,
+                        const std::string &documentation,
+                        const double lower = Patterns::Double::min_double_value,
+                        const double upper = Patterns::Double::max_double_value);
+
+    /// A finite number that is not negative; what is read may refuse zero, see get_positive().
+    void declare_positive(const std::string &entry, const std::string &default_value,
+                          const std::string &documentation)
+    {
+      declare_number(entry, default_value, documentation, 0.);
+    }
+
+    /// A whole number in [@p lower, @p upper].
+    void declare_count(const std::string &entry, const std::string &default_value,
+                       const std::string &documentation, const unsigned int lower, const unsigned int upper);
+
+    /// One of the @p choices, which are separated by '|'.
+    void declare_choice(const std::string &entry, const std::string &default_value,
+                        const std::string &choices, const std::string &documentation);
+
+    /// 'true' or 'false'.
+    void declare_bool(const std::string &entry, const bool default_value, const std::string &documentation);
+
+    /// @p n numbers separated by ','.
+    void declare_vector(const std::string &entry, const std::string &default_value, const unsigned int n,
+                        const std::string &documentation);
+
+    /// Any number of texts separated by @p separator.
+    void declare_list(const std::string &entry, const std::string &default_value, const char separator,
+                      const std::string &documentation);
+
+    /// A text.
+    void declare_text(const std::string &entry, const std::string &default_value,
+                      const std::string &documentation);
+
     /// An entry whose value is the name of a file that is read, or empty.
     void declare_file(const std::string &entry, const std::string &documentation);
 

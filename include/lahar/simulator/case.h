@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_simulator_case_h
+#define lahar_simulator_case_h
+
+#include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/mesh_size.h>
+#include <lahar/remeshing/domain_limit.h>
+#include <lahar/simulator/run_parameters.h>
+#include <lahar/utilities/case_structure.h>
+
+namespace Lahar
+{
+  /// What is to be computed: for how long, the fluids and boundaries, and what they share. Solids have a state, see Solids.
+  template <int dim>
+  struct Case
+  {
+    RunParameters run;
+    InitialGeometry<dim> geometry; ///< the fluids and boundaries
+    MeshSize<dim> mesh_size;
+    DomainLimit<dim> domain_limit;
+    Tensor<1, dim> gravity; ///< m/s²
+
+    static void declare_parameters(Parameters &prm, const CaseStructure &structure);
+
+    /// @throws InputError
+    void parse_parameters(Parameters &prm, const CaseStructure &structure);
+  };
+} // namespace Lahar
+
+#endif
