@@ -120,7 +120,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::write_snapshot()
   {
-    progress->message(visualization->write(snapshot()));
+    progress->message(visualization->write(snapshot(), fields));
     means.restart();
   }
 

@@ -34,6 +34,7 @@ namespace Lahar
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
     Postprocessor<dim>::declare_all(prm);
+    OutputField<dim>::declare_all(prm);
   }
 
 
@@ -66,6 +67,7 @@ namespace Lahar
                                                  parameters.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
     postprocessors = Postprocessor<dim>::create_all(prm);
+    fields         = OutputField<dim>::create_all(prm);
   }
 
 

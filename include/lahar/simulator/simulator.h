@@ -193,6 +193,7 @@ namespace Lahar
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
     AppendedFile statistics;
     AppendedFile convergence; ///< the increments of every iteration
+    typename OutputField<dim>::List fields;
     std::unique_ptr<Visualization<dim>> visualization;
     std::unique_ptr<Progress> progress;
     double last_output_time = 0.; ///< when output was due last, s
