@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/simulator/nonlinear_scheme.h>
+#include <lahar/utilities/factory.h>
 
 #include <sstream>
 
@@ -31,10 +32,9 @@ namespace Lahar
   void NonlinearScheme<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Nonlinear solver");
-    prm.declare_entry(
-      "Scheme", "coupled", Patterns::Anything(),
-      "How Newton's method finds its increments. 'coupled': of velocity and pressure together; 'segregated': of velocity "
-      "first, then of pressure, with a few corrections of both.");
+    Factory<NonlinearScheme>::declare_choice(prm, "Scheme", "coupled",
+                                             "How Newton's method finds its increments.");
+    Factory<NonlinearScheme>::declare_parameters(prm);
     prm.declare_entry(
       "Viscosity linearization", "primal-dual", Patterns::Anything(),
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
@@ -52,14 +52,8 @@ namespace Lahar
   template <int dim>
   std::unique_ptr<NonlinearScheme<dim>> NonlinearScheme<dim>::create(Parameters &prm)
   {
-    std::unique_ptr<NonlinearScheme<dim>> scheme;
     prm.enter_subsection("Nonlinear solver");
-    if (prm.get("Scheme") == "coupled")
-      scheme = std::make_unique<CoupledScheme<dim>>();
-    else if (prm.get("Scheme") == "segregated")
-      scheme = std::make_unique<SegregatedScheme<dim>>();
-    else
-      prm.throw_wrong_value("Scheme", "coupled|segregated");
+    auto scheme = Factory<NonlinearScheme>::create(Factory<NonlinearScheme>::choice(prm, "Scheme"), prm);
 
     const std::string viscosity = prm.get("Viscosity linearization");
     if (viscosity == "picard")
@@ -187,8 +181,4 @@ namespace Lahar
 
   template class NonlinearScheme<2>;
   template class NonlinearScheme<3>;
-  template class CoupledScheme<2>;
-  template class CoupledScheme<3>;
-  template class SegregatedScheme<2>;
-  template class SegregatedScheme<3>;
 } // namespace Lahar
