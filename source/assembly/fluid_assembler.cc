@@ -3,6 +3,7 @@
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/assembly/residual_projection.h>
 #include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/utilities/factory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,14 +33,11 @@ namespace Lahar
   void FluidAssembler<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Stabilization");
-    prm.declare_entry(
-      "Form", "projected residual", Patterns::Anything(),
-      "Stabilisation of the mass equation: 'FIC' (Franci & Zhang 2018, with boundary terms on the free surface), 'FIC "
-      "interior' (the same without them), 'residual' (the full momentum residual in the gradient term; conserves "
-      "volume) or 'projected residual' (of this only what cells differ by from their neighbours, so that stress in "
-      "fluid at rest drives no flow).");
-    prm.declare_entry(
-      "Viscosity limit", "0.1", Patterns::Anything(),
+    Factory<Stabilization<dim>>::declare_choice(prm, "Form", "projected residual",
+                                                "Stabilisation of the mass equation.");
+    Factory<Stabilization<dim>>::declare_parameters(prm);
+    prm.declare_positive(
+      "Viscosity limit", "0.1",
       "Largest viscosity in Pa s that enters the stabilisation parameter where the fluid moves, zero or above. The "
       "effective viscosity of a plug would slow down the nonlinear iteration. Where fluid stands there is no limit, "
       "so that it does not creep in proportion to the time step.");
@@ -52,17 +50,8 @@ namespace Lahar
   void FluidAssembler<dim>::parse_parameters(Parameters &prm)
   {
     prm.enter_subsection("Stabilization");
-    const std::string form = prm.get("Form");
-    if (form == "FIC")
-      stabilization = Stabilization::fic;
-    else if (form == "FIC interior")
-      stabilization = Stabilization::fic_interior;
-    else if (form == "residual")
-      stabilization = Stabilization::residual;
-    else if (form == "projected residual")
-      stabilization = Stabilization::projected_residual;
-    else
-      prm.throw_wrong_value("Form", "FIC|FIC interior|residual|projected residual");
+    stabilization   = Factory<Stabilization<dim>>::create(Factory<Stabilization<dim>>::choice(prm, "Form"),
+                                                          prm);
     viscosity_limit = prm.get_positive("Viscosity limit", true);
     prm.leave_subsection();
   }
@@ -115,7 +104,7 @@ namespace Lahar
     }
 
     state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
-    if (stabilization == Stabilization::projected_residual)
+    if (stabilization->projects_residual())
     {
       ResidualProjection<dim> projection(mesh.n_vertices());
       cell.law     = &law;
@@ -212,9 +201,6 @@ namespace Lahar
     const ViscousStress<dim> viscous_stress(linearization.viscosity, linearization.plastic_weight);
     const PressureDivergence<dim> pressure_divergence;
     const FlatPressureDivergence<dim> flat_pressure_divergence;
-    const FICInterior<dim> fic_interior;
-    const FICFreeSurface<dim> fic_free_surface;
-    const ResidualStabilization<dim> residual_stabilization;
 
     FluidCell<dim> cell;
     CellSystem<dim> cell_system;
@@ -257,15 +243,12 @@ namespace Lahar
                                           cell_system);
       else
         pressure_divergence.assemble(cell, cell_system);
-      if (stabilization == Stabilization::projected_residual || stabilization == Stabilization::residual)
-        residual_stabilization.assemble(cell, cell_system);
-      else
-        fic_interior.assemble(cell, cell_system);
+      stabilization->assemble(cell, cell_system);
 
       // Boundary faces come in the order of their cells.
       for (; face != mesh.boundary_faces().end() && face->cell <= c; ++face)
-        if (face->cell == c && face->free_surface && stabilization == Stabilization::fic)
-          fic_free_surface.assemble(cell, face->opposite, cell_system);
+        if (face->cell == c && face->free_surface)
+          stabilization->assemble_free_surface(cell, face->opposite, cell_system);
 
       system.add(c, cell_system.matrix, cell_system.residual);
     }

@@ -9,8 +9,6 @@ namespace Lahar
   class FreeSlip : public SurfaceLaw
   {
   public:
-    static void declare_parameters(Parameters &) {}
-
     bool slips() const override
     {
       return true;

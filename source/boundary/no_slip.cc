@@ -9,8 +9,6 @@ namespace Lahar
   class NoSlip : public SurfaceLaw
   {
   public:
-    static void declare_parameters(Parameters &) {}
-
     bool slips() const override
     {
       return false;

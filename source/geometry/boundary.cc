@@ -10,8 +10,8 @@ namespace Lahar
   template <int dim>
   void Boundary<dim>::declare_parameters(Parameters &prm)
   {
-    Factory<BoundaryShape<dim>>::declare_choice(prm, "Shape", "", "Where the boundary is.");
-    Factory<SurfaceLaw>::declare_choice(prm, "Law", "no slip", "How fluid moves along the boundary.");
+    Factory<BoundaryShape<dim>>::declare_models(prm, "Shape", "", "Where the boundary is.");
+    Factory<SurfaceLaw>::declare_models(prm, "Law", "no slip", "How fluid moves along the boundary.");
   }
 
 

@@ -12,7 +12,7 @@ namespace Lahar
   template <int dim>
   void Fluid<dim>::declare_parameters(Parameters &prm)
   {
-    Factory<FluidShape<dim>>::declare_choice(prm, "Shape", "", "Where the fluid is at the start.");
+    Factory<FluidShape<dim>>::declare_models(prm, "Shape", "", "Where the fluid is at the start.");
     FluidLaw::declare_parameters(prm);
     prm.declare_list(
       "Initial velocity", zero_function<dim>(), ';',

@@ -8,6 +8,7 @@
 #include <lahar/linear/direct_solver.h>
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/linear/schur_complement.h>
+#include <lahar/utilities/factory.h>
 #include <lahar/utilities/process_start.h>
 
 namespace Lahar
@@ -23,17 +24,17 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::declare_parameters(Parameters &prm)
   {
-    prm.enter_subsection("Direct");
-    prm.declare_entry("Package", "MUMPS", Patterns::Anything(), "Package that factorises: MUMPS or KLU.");
-    prm.declare_entry(
-      "Tolerance", "1e-2", Patterns::Anything(),
+    prm.declare_choice("Package", "MUMPS", "MUMPS|KLU", "Package that factorises: MUMPS or KLU.");
+    prm.declare_number(
+      "Tolerance", "1e-2",
       "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
-      "0 every system is factorised.");
-    prm.declare_entry(
-      "Maximum iterations", "6", Patterns::Anything(),
+      "0 every system is factorised.",
+      0., 0.1);
+    prm.declare_count(
+      "Maximum iterations", "6",
       "Factorise anew when an earlier factorisation needs more GMRES iterations or, by their convergence, will "
-      "need more, 1 to 100.");
-    prm.leave_subsection();
+      "need more, 1 to 100.",
+      1, 100);
   }
 
 
@@ -41,13 +42,11 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::parse_parameters(Parameters &prm)
   {
-    prm.enter_subsection("Direct");
     if (prm.get("Package") != "MUMPS" && prm.get("Package") != "KLU")
       prm.throw_wrong_value("Package", "MUMPS|KLU");
     package        = prm.get("Package") == "KLU" ? "Amesos_Klu" : "Amesos_Mumps";
     tolerance      = prm.get_in_range("Tolerance", 0., 0.1);
     max_iterations = prm.get_count("Maximum iterations", 1, 100);
-    prm.leave_subsection();
   }
 
 
@@ -337,4 +336,11 @@ namespace Lahar
 
   template class DirectSolver<2>;
   template class DirectSolver<3>;
+
+
+
+  static const Factory<LinearSolver<2>>::Registration<DirectSolver<2>>
+    direct_2d("direct", "A factorisation, which several ranks do not make faster.", "Direct");
+  static const Factory<LinearSolver<3>>::Registration<DirectSolver<3>>
+    direct_3d("direct", "A factorisation, which several ranks do not make faster.", "Direct");
 } // namespace Lahar

@@ -8,6 +8,7 @@
 #include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/linear/schur_complement.h>
+#include <lahar/utilities/factory.h>
 
 #include <array>
 #include <string>
@@ -25,20 +26,19 @@ namespace Lahar
   template <int dim>
   void IterativeSolver<dim>::declare_parameters(Parameters &prm)
   {
-    prm.enter_subsection("Iterative");
-    prm.declare_entry(
-      "Preconditioner", "ML", Patterns::Anything(),
+    prm.declare_choice(
+      "Preconditioner", "ML", "ML|ILU",
       "Of the velocity block and of the pressure's Schur complement: 'ML' (algebraic "
       "multigrid; of the Schur complement incomplete factors where GMRES fails) or 'ILU' (incomplete "
       "factors).");
-    prm.declare_entry(
-      "Tolerance", "1e-3", Patterns::Anything(),
+    prm.declare_number(
+      "Tolerance", "1e-3",
       "Tolerance of the preconditioned residual relative to the first one, with velocity and "
       "pressure divided by their sizes, 1e-12 to 0.1. Where the preconditioner is poor, GMRES goes on "
-      "until its estimate of the error is below a tenth of the solution.");
-    prm.declare_entry("Maximum iterations", "200", Patterns::Anything(),
-                      "A time step in which GMRES needs more iterations has failed, 1 to 1000.");
-    prm.leave_subsection();
+      "until its estimate of the error is below a tenth of the solution.",
+      1e-12, 0.1);
+    prm.declare_count("Maximum iterations", "200",
+                      "A time step in which GMRES needs more iterations has failed, 1 to 1000.", 1, 1000);
   }
 
 
@@ -46,13 +46,11 @@ namespace Lahar
   template <int dim>
   void IterativeSolver<dim>::parse_parameters(Parameters &prm)
   {
-    prm.enter_subsection("Iterative");
     if (prm.get("Preconditioner") != "ML" && prm.get("Preconditioner") != "ILU")
       prm.throw_wrong_value("Preconditioner", "ML|ILU");
     multigrid      = prm.get("Preconditioner") == "ML";
     tolerance      = prm.get_in_range("Tolerance", 1e-12, 0.1);
     max_iterations = prm.get_count("Maximum iterations", 1, 1000);
-    prm.leave_subsection();
   }
 
 
@@ -189,4 +187,11 @@ namespace Lahar
 
   template class IterativeSolver<2>;
   template class IterativeSolver<3>;
+
+
+
+  static const Factory<LinearSolver<2>>::Registration<IterativeSolver<2>>
+    iterative_2d("iterative", "GMRES with a block preconditioner.", "Iterative");
+  static const Factory<LinearSolver<3>>::Registration<IterativeSolver<3>>
+    iterative_3d("iterative", "GMRES with a block preconditioner.", "Iterative");
 } // namespace Lahar

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/linear/direct_solver.h>
-#include <lahar/linear/iterative_solver.h>
 #include <lahar/linear/linear_solver.h>
 #include <lahar/linear/scaled_gmres.h>
 #include <lahar/utilities/exceptions.h>
+#include <lahar/utilities/factory.h>
 
 namespace Lahar
 {
@@ -25,12 +24,9 @@ namespace Lahar
   void LinearSolver<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.declare_entry(
-      "Type", dim == 2 ? "direct" : "iterative", Patterns::Anything(),
-      "'direct': factorisation, which several ranks do not make faster; 'iterative': GMRES with a block "
-      "preconditioner.");
-    DirectSolver<dim>::declare_parameters(prm);
-    IterativeSolver<dim>::declare_parameters(prm);
+    Factory<LinearSolver>::declare_choice(prm, "Type", dim == 2 ? "direct" : "iterative",
+                                          "How linear systems are solved.");
+    Factory<LinearSolver>::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -40,17 +36,16 @@ namespace Lahar
   std::unique_ptr<LinearSolver<dim>> LinearSolver<dim>::create(Parameters &prm)
   {
     prm.enter_subsection("Linear solver");
-    const std::string type = prm.get("Type");
-    if (type != "direct" && type != "iterative")
-      prm.throw_wrong_value("Type", "direct|iterative");
-    auto direct    = std::make_unique<DirectSolver<dim>>();
-    auto iterative = std::make_unique<IterativeSolver<dim>>();
-    direct->parse_parameters(prm);
-    iterative->parse_parameters(prm);
+    const std::string type = Factory<LinearSolver>::choice(prm, "Type");
+    std::unique_ptr<LinearSolver> chosen;
+    for (const std::string &name : split_list(Factory<LinearSolver>::names(), '|'))
+    {
+      std::unique_ptr<LinearSolver> solver = Factory<LinearSolver>::create(name, prm);
+      if (name == type)
+        chosen = std::move(solver);
+    }
     prm.leave_subsection();
-    if (type == "iterative")
-      return iterative;
-    return direct;
+    return chosen;
   }
 
 

@@ -34,7 +34,7 @@ namespace Lahar
 
   void FluidLaw::declare_parameters(Parameters &prm)
   {
-    Factory<FluidLaw>::declare_choice(prm, "Law", "Bingham", "Constitutive law of the fluid.");
+    Factory<FluidLaw>::declare_models(prm, "Law", "Bingham", "Constitutive law of the fluid.");
   }
 
 

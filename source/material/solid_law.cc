@@ -7,7 +7,7 @@ namespace Lahar
 {
   void SolidLaw::declare_parameters(Parameters &prm)
   {
-    Factory<SolidLaw>::declare_choice(prm, "Law", "hypoelastic", "Constitutive law of the solid.");
+    Factory<SolidLaw>::declare_models(prm, "Law", "hypoelastic", "Constitutive law of the solid.");
   }
 
 

@@ -18,10 +18,6 @@ namespace Lahar
   class BoundaryForces : public Postprocessor<dim>
   {
   public:
-    static void declare_parameters(Parameters &) {}
-
-    void parse_parameters(Parameters &) override {}
-
     void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
 
   private:

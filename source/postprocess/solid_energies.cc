@@ -13,10 +13,6 @@ namespace Lahar
   class SolidEnergies : public Postprocessor<dim>
   {
   public:
-    static void declare_parameters(Parameters &) {}
-
-    void parse_parameters(Parameters &) override {}
-
     void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
   };
 

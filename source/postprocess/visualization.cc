@@ -2,23 +2,23 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 
 #include <deal.II/lac/vector.h>
 
 #include <deal.II/numerics/data_out.h>
 
-#include <lahar/assembly/fluid_cell.h>
 #include <lahar/postprocess/solid_output.h>
 #include <lahar/postprocess/visualization.h>
 #include <lahar/postprocess/wall_output.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/atomic_file.h>
 #include <lahar/utilities/ranks.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
+#include <list>
 #include <sstream>
 
 namespace Lahar
@@ -26,6 +26,26 @@ namespace Lahar
   namespace
   {
     const std::string walls_file = "walls.vtu";
+
+    /// Vectors by vertex or by cell as degrees of freedom of linear simplices.
+    template <int dim>
+    Vector<double> to_dofs(const Vector<double> &vectors, const bool of_vertices, const DoFHandler<dim> &dofs)
+    {
+      const FiniteElement<dim> &fe = dofs.get_fe();
+      Vector<double> result(dofs.n_dofs());
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          const auto [component, corner] = fe.system_to_component_index(i);
+          const unsigned int place = of_vertices ? cell->vertex_index(corner) : cell->active_cell_index();
+          result[indices[i]]       = vectors[dim * place + component];
+        }
+      }
+      return result;
+    }
   } // namespace
 
 
@@ -39,10 +59,12 @@ namespace Lahar
 
 
   template <int dim>
-  std::string Visualization<dim>::write(const Snapshot<dim> &snapshot)
+  std::string Visualization<dim>::write(const Snapshot<dim> &snapshot,
+                                        const typename OutputField<dim>::List &fields)
   {
     const std::string number = "-" + Utilities::int_to_string(n_written++, 5);
-    if (const std::string fluid_file = write_fluid(snapshot, "solution" + number); !fluid_file.empty())
+    if (const std::string fluid_file = write_fluid(snapshot, fields, "solution" + number);
+        !fluid_file.empty())
       records.push_back({snapshot.time, 0, fluid_file});
     if (!snapshot.solids.empty())
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
@@ -107,7 +129,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::string Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const
+  std::string Visualization<dim>::write_fluid(const Snapshot<dim> &snapshot,
+                                              const typename OutputField<dim>::List &fields,
+                                              const std::string &name) const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator),
                        rank    = Utilities::MPI::this_mpi_process(communicator);
@@ -131,7 +155,7 @@ namespace Lahar
         return;
       if (n_ranks == 1)
       {
-        write_piece(snapshot, own_piece, pieces);
+        write_piece(snapshot, fields, own_piece, pieces);
         return;
       }
       std::vector<unsigned int> vertices;
@@ -143,7 +167,7 @@ namespace Lahar
       part.reinit_part(snapshot.mesh, vertices, cells);
       list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.solids,
                           snapshot.walls, snapshot.migration, snapshot.means, snapshot.time},
-                         own_piece, pieces);
+                         fields, own_piece, pieces);
     });
     if (n_ranks == 1)
       return pieces[0];
@@ -162,52 +186,39 @@ namespace Lahar
 
 
   template <int dim>
-  std::string Visualization<dim>::write_piece(const Snapshot<dim> &snapshot, const std::string &file_name,
+  std::string Visualization<dim>::write_piece(const Snapshot<dim> &snapshot,
+                                              const typename OutputField<dim>::List &fields,
+                                              const std::string &file_name,
                                               const std::vector<std::string> &pieces) const
   {
-    const FluidMesh<dim> &mesh      = snapshot.mesh;
-    const ParticleCloud<dim> &cloud = snapshot.cloud;
-    const unsigned int n            = mesh.n_vertices();
-
-    const FESystem<dim> velocity_fe(FE_SimplexP<dim>(1), dim);
-    DoFHandler<dim> velocity_dofs(mesh.triangulation());
-    velocity_dofs.distribute_dofs(velocity_fe);
-    Vector<double> velocity(velocity_dofs.n_dofs());
-    for (const auto &cell : velocity_dofs.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity[cell->vertex_dof_index(v, d)] = cloud.velocity[mesh.particle(cell->vertex_index(v))][d];
-
-    Vector<double> pressure(n), kind(n);
-    for (unsigned int v = 0; v < n; ++v)
-    {
-      const unsigned int particle = mesh.particle(v);
-      pressure[v]                 = cloud.pressure[particle];
-      kind[v]                     = static_cast<double>(cloud.kind[particle]);
-    }
-
-    Vector<double> strain_rate(mesh.n_cells()), viscosity(mesh.n_cells()), yielded(mesh.n_cells());
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-    {
-      FluidCell<dim> cell;
-      for (unsigned int I = 0; I <= dim; ++I)
-        cell.velocity[I] = cloud.velocity[mesh.particle_cells()[c][I]];
-      cell.reinit(corners_of<dim>(mesh.particle_cells()[c], cloud.position), false);
-      strain_rate[c] = cell.strain_rate;
-      viscosity[c]   = snapshot.law.effective_viscosity(cell.strain_rate).value;
-      yielded[c]     = snapshot.law.is_yielded(cell.strain_rate);
-    }
-
+    const FluidMesh<dim> &mesh = snapshot.mesh;
+    // A vector is a function of linear simplices, continuous ones for values of vertices.
+    const FESystem<dim> vertex_fe(FE_SimplexP<dim>(1), dim), cell_fe(FE_SimplexDGP<dim>(1), dim);
+    DoFHandler<dim> vertex_dofs(mesh.triangulation()), cell_dofs(mesh.triangulation());
+    std::list<Vector<double>> all_values; // data_out refers to them
     DataOut<dim> data_out;
     data_out.attach_dof_handler(mesh.dof_handler());
-    data_out.add_data_vector(velocity_dofs, velocity, std::vector<std::string>(dim, "velocity"),
-                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-                               dim, DataComponentInterpretation::component_is_part_of_vector));
-    data_out.add_data_vector(pressure, "pressure", DataOut<dim>::type_dof_data);
-    data_out.add_data_vector(kind, "particle_kind", DataOut<dim>::type_dof_data);
-    data_out.add_data_vector(strain_rate, "strain_rate", DataOut<dim>::type_cell_data);
-    data_out.add_data_vector(viscosity, "effective_viscosity", DataOut<dim>::type_cell_data);
-    data_out.add_data_vector(yielded, "yielded", DataOut<dim>::type_cell_data);
+    for (const auto &[field_name, field] : fields)
+    {
+      const bool of_vertices       = field->place() == OutputField<dim>::Place::vertices;
+      const Vector<double> &values = all_values.emplace_back(field->evaluate(snapshot));
+      AssertDimension(values.size(),
+                      field->n_components() * (of_vertices ? mesh.n_vertices() : mesh.n_cells()));
+      if (field->n_components() == 1)
+      {
+        data_out.add_data_vector(values, field_name,
+                                 of_vertices ? DataOut<dim>::type_dof_data : DataOut<dim>::type_cell_data);
+        continue;
+      }
+      AssertDimension(field->n_components(), dim);
+      DoFHandler<dim> &dofs = of_vertices ? vertex_dofs : cell_dofs;
+      if (!dofs.has_active_dofs())
+        dofs.distribute_dofs(of_vertices ? vertex_fe : cell_fe);
+      data_out.add_data_vector(dofs, all_values.emplace_back(to_dofs(values, of_vertices, dofs)),
+                               std::vector<std::string>(dim, field_name),
+                               std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                                 dim, DataComponentInterpretation::component_is_part_of_vector));
+    }
     data_out.build_patches(mesh.mapping());
 
     write_atomically(directory + "/" + file_name, [&](std::ostream &file) { data_out.write_vtu(file); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/simulator/nonlinear_scheme.h>
+#include <lahar/utilities/factory.h>
 
 #include <sstream>
 
@@ -31,19 +32,18 @@ namespace Lahar
   void NonlinearScheme<dim>::declare_parameters(Parameters &prm)
   {
     prm.enter_subsection("Nonlinear solver");
-    prm.declare_entry(
-      "Scheme", "coupled", Patterns::Anything(),
-      "How Newton's method finds its increments. 'coupled': of velocity and pressure together; 'segregated': of velocity "
-      "first, then of pressure, with a few corrections of both.");
-    prm.declare_entry(
-      "Viscosity linearization", "primal-dual", Patterns::Anything(),
+    Factory<NonlinearScheme>::declare_choice(prm, "Scheme", "coupled",
+                                             "How Newton's method finds its increments.");
+    Factory<NonlinearScheme>::declare_parameters(prm);
+    prm.declare_choice(
+      "Viscosity linearization", "primal-dual", "picard|newton|primal-dual",
       "Derivative of the viscosity in the Jacobian: 'picard' (none), 'newton' (consistent; fails for a "
       "large regularization parameter) or 'primal-dual'.");
-    prm.declare_entry(
-      "Tolerance", "1e-4", Patterns::Anything(),
+    prm.declare_positive(
+      "Tolerance", "1e-4",
       "Largest relative increment of velocity and pressure in the last iteration, above 0 and below 1.");
-    prm.declare_entry("Maximum iterations", "30", Patterns::Anything(),
-                      "A step that needs more iterations has failed, 1 to 1000.");
+    prm.declare_count("Maximum iterations", "30", "A step that needs more iterations has failed, 1 to 1000.",
+                      1, 1000);
     prm.leave_subsection();
   }
 
@@ -52,14 +52,8 @@ namespace Lahar
   template <int dim>
   std::unique_ptr<NonlinearScheme<dim>> NonlinearScheme<dim>::create(Parameters &prm)
   {
-    std::unique_ptr<NonlinearScheme<dim>> scheme;
     prm.enter_subsection("Nonlinear solver");
-    if (prm.get("Scheme") == "coupled")
-      scheme = std::make_unique<CoupledScheme<dim>>();
-    else if (prm.get("Scheme") == "segregated")
-      scheme = std::make_unique<SegregatedScheme<dim>>();
-    else
-      prm.throw_wrong_value("Scheme", "coupled|segregated");
+    auto scheme = Factory<NonlinearScheme>::create(Factory<NonlinearScheme>::choice(prm, "Scheme"), prm);
 
     const std::string viscosity = prm.get("Viscosity linearization");
     if (viscosity == "picard")
@@ -187,8 +181,4 @@ namespace Lahar
 
   template class NonlinearScheme<2>;
   template class NonlinearScheme<3>;
-  template class CoupledScheme<2>;
-  template class CoupledScheme<3>;
-  template class SegregatedScheme<2>;
-  template class SegregatedScheme<3>;
 } // namespace Lahar

@@ -27,6 +27,7 @@ namespace Lahar
   {
     last_time      = parameters.start_time;
     postprocessors = Postprocessor<dim>::create_all(prm);
+    fields         = OutputField<dim>::create_all(prm);
   }
 
 
@@ -163,7 +164,7 @@ namespace Lahar
   template <int dim>
   void RunOutput<dim>::write_snapshot(const Snapshot<dim> &snapshot)
   {
-    progress->message(visualization.write(snapshot));
+    progress->message(visualization.write(snapshot, fields));
     time_means.restart();
   }
 

@@ -26,6 +26,7 @@ namespace Lahar
     NonlinearScheme<dim>::declare_parameters(prm);
     StepProblem<dim>::declare_parameters(prm);
     Postprocessor<dim>::declare_all(prm);
+    OutputField<dim>::declare_all(prm);
   }
 
 

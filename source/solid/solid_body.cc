@@ -35,7 +35,7 @@ namespace Lahar
     const std::string zero = zero_function<dim>(), boxes = ", by boxes in the undeformed configuration: ",
                       corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
                       by      = boxes + corners + " separated by ';'";
-    Factory<SolidShape<dim>>::declare_choice(prm, "Shape", "", "The undeformed solid.");
+    Factory<SolidShape<dim>>::declare_models(prm, "Shape", "", "The undeformed solid.");
     prm.declare_list("Clamped", "", ';', "Part of the contour that does not move" + by + ".");
     prm.declare_list("Driven", "", ';', "Part of the contour with a given motion" + by + ".");
     prm.declare_list("Driving velocity", zero, ';',

@@ -26,7 +26,7 @@ namespace Tests
       , system(MPI_COMM_WORLD)
     {
       parse(assembler, parameters);
-      parse(solver, "subsection Direct\n set Tolerance = 0\nend\n");
+      parse(solver, "set Tolerance = 0\n");
 
       std::vector<Point<dim>> positions;
       for (const unsigned int particle : whole.particles())

@@ -141,6 +141,7 @@ def test_refused():
     wrong("Nonlinear solver/Scheme", "coupling", "coupled", "segregated")
     wrong("Nonlinear solver/Viscosity linearization", "quasi", "picard", "newton", "primal-dual")
     wrong("Stabilization/Form", "fic", "FIC", "residual")
+    wrong("Postprocess/Fields", "velocity, temperature", "pressure", "yielded", "commas")
     wrong("Remeshing/Alpha shape/Rule", "alpha", "plain", "advected")
     wrong("Linear solver/Direct/Package", "Pardiso", "MUMPS", "KLU")
     wrong("Linear solver/Type", "multigrid", "direct", "iterative")

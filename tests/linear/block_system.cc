@@ -199,7 +199,7 @@ void test()
   for (const std::string package : {"MUMPS", "KLU"})
   {
     DirectSolver<dim> solver;
-    parse(solver, "subsection Direct\n set Package = " + package + "\n set Tolerance = 1e-10\nend\n");
+    parse(solver, "set Package = " + package + "\nset Tolerance = 1e-10\n");
     auto solution = system.make_vector();
     example.add_to(system);
     check(name + package + ": one iteration", solver.solve(system, {}, solution) == 1);

@@ -110,9 +110,9 @@ void test(const unsigned int n)
 
   for (const std::string preconditioner : {"ML", "ILU"})
   {
-    const std::string entries = "subsection Iterative\n set Preconditioner = " + preconditioner + "\n";
+    const std::string entries = "set Preconditioner = " + preconditioner + "\n";
     IterativeSolver<dim> solver;
-    parse(solver, entries + " set Tolerance = 1e-9\nend\n");
+    parse(solver, entries + "set Tolerance = 1e-9\n");
     const unsigned int n_iterations = solver.solve(system, {v_scale, p_scale}, solution);
     check(name + preconditioner + ": iterations are counted and few", n_iterations > 1 && n_iterations < 80);
     solution.block(0) -= reference.block(0);
@@ -148,7 +148,7 @@ void test(const unsigned int n)
     }
 
     IterativeSolver<dim> impatient;
-    parse(impatient, entries + " set Maximum iterations = 1\nend\n");
+    parse(impatient, entries + "set Maximum iterations = 1\n");
     check_throws<RunError>(name + preconditioner + ": too many iterations", {"GMRES", "1 iteration"}, [&]() {
       impatient.solve(system, {v_scale, p_scale}, solution);
     });

@@ -34,10 +34,19 @@ def cached(name):
     return found[1] if found else ""
 
 
+def fields_of(path):
+    """The numbers of components of the fields in a .vtu file, by name."""
+    with open(path, encoding="latin-1") as file:
+        found = re.findall(r'<DataArray type="Float\d+" Name="(\w+)"(?: NumberOfComponents="(\d)")?', file.read())
+    return {name: int(components or 1) for name, components in found if name != "Points"}
+
+
 def test_page():
     text = open(os.path.join(ROOT, "doc", "extending.md")).read()
     blocks = re.findall("```cpp\n(.*?)```", text, re.S)
-    for block, name in zip(blocks, ("herschel_bulkley.cc", "largest_speed.cc")):
+    names = ("herschel_bulkley.cc", "largest_speed.cc", "vorticity.cc", "pressure_laplacian.cc")
+    check("doc/extending.md has code of the example alone", len(blocks) == len(names), len(blocks))
+    for block, name in zip(blocks, names):
         source = open(os.path.join(EXAMPLE, name)).read().split("\n\n", 1)[1]
         check(f"doc/extending.md has {name} as it is", block == source)
 
@@ -71,7 +80,24 @@ def test_example(parent):
     speeds = [float(line.split()[column]) for line in lines if not line.startswith("#")]
     # Ritter's front of a dam break without friction.
     check("... which is a speed of a column 0.2 m high", 0.1 < max(speeds) < 2. * (9.81 * 0.2)**0.5, max(speeds))
-    return lahar, os.path.join(source, "build", "libexample.so")
+    fields = fields_of(os.path.join(parent, "output-plugin-example", "solution-00001.vtu"))
+    check("... with the plugin's field behind Lahar's own", list(fields) == [
+        "velocity", "pressure", "particle_kind", "strain_rate", "effective_viscosity", "yielded", "vorticity"], fields)
+    check("... a number in the plane", fields.get("vorticity") == 1, fields)
+
+    plugin = os.path.join(source, "build", "libexample.so")
+    result = call([lahar, "--set", "Output directory=chosen", "--set", "End time=0.01", "--set", "Output interval=0.01",
+                   "--set", "Postprocess/Fields=vorticity, velocity", "--set", "Stabilization/Form=pressure Laplacian",
+                   os.path.join(source, "case.prm")], parent)
+    check("its case runs with the plugin's stabilisation", result.returncode == 0, result.stderr)
+    fields = fields_of(os.path.join(parent, "chosen", "solution-00001.vtu"))
+    check("... and writes the fields that are chosen", list(fields) == ["velocity", "vorticity"], fields)
+    result = call([lahar, "--set", "Plugins=" + plugin, "--set", "Output directory=space", "--set", "Time step=1e-3",
+                   "--set", "End time=1e-3", os.path.join(ROOT, "prm/verification/three_dimensions/still_tank.prm")], parent)
+    check("a case in space runs with the plugin", result.returncode == 0, result.stderr)
+    fields = fields_of(os.path.join(parent, "space", "solution-00000.vtu"))
+    check("... where the plugin's field is a vector", fields.get("vorticity") == 3, fields)
+    return lahar, plugin
 
 
 def test_refused(parent, lahar, plugin):

@@ -4,17 +4,19 @@
 #define lahar_assembly_fluid_assembler_h
 
 #include <lahar/assembly/fluid_state.h>
+#include <lahar/assembly/stabilization.h>
 #include <lahar/assembly/terms.h>
 #include <lahar/linear/block_system.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/utilities/parameters.h>
 
-#include <optional>
+#include <memory>
 
 namespace Lahar
 {
   /**
-   * Assembles the fluid's residual and Jacobian: the sum of the terms over the cells and the free-surface faces.
+   * Assembles the fluid's residual and Jacobian: the sum over the cells of inertia, weight, viscous stress, pressure and
+   * incompressibility, and of the chosen Stabilization, which has terms of the faces on the free surface, too.
    */
   template <int dim>
   class FluidAssembler
@@ -65,19 +67,11 @@ namespace Lahar
                   BlockSystem<dim> &system) const;
 
   private:
-    enum class Stabilization
-    {
-      fic,               ///< FICInterior and FICFreeSurface
-      fic_interior,      ///< FICInterior
-      residual,          ///< ResidualStabilization without projection
-      projected_residual ///< ResidualStabilization
-    };
-
     static void leave_out(const FluidCell<dim> &cell, CellSystem<dim> &system);
     void gather(const Simplex<dim> &vertices, const FluidState<dim> &state, FluidCell<dim> &cell) const;
 
-    Stabilization stabilization = Stabilization::projected_residual;
-    double viscosity_limit      = 0.1;
+    std::unique_ptr<const Stabilization<dim>> stabilization;
+    double viscosity_limit = 0.1;
   };
 } // namespace Lahar
 

@@ -37,7 +37,7 @@ namespace Lahar
     using BlockVector = typename LinearSolver<dim>::BlockVector;
 
     static void declare_parameters(Parameters &prm);
-    void parse_parameters(Parameters &prm);
+    void parse_parameters(Parameters &prm) override;
 
     unsigned int solve(const BlockSystem<dim> &system, const IncrementScales &scales,
                        Vector &solution) override;

@@ -23,6 +23,8 @@ namespace Lahar
    *
    * What belongs to the sparsity pattern is kept as long as the pattern stands, what was factorised as long as it is a
    * good approximation, but not beyond forget().
+   *
+   * A solver registers itself with Factory<LinearSolver<dim>>; its entries stand in a subsection of "Linear solver".
    */
   template <int dim>
   class LinearSolver
@@ -67,8 +69,14 @@ namespace Lahar
     /// Forget all earlier systems, so that what follows does not depend on them.
     virtual void forget();
 
+    /// Declare the entries of all solvers.
     static void declare_parameters(Parameters &prm);
+
+    /// The solver that is chosen. The entries of the others are checked, too. @throws InputError
     static std::unique_ptr<LinearSolver> create(Parameters &prm);
+
+    /// Read the entries of this solver.
+    virtual void parse_parameters(Parameters & /*prm*/) {}
 
   private:
     unsigned int blocks_pattern = 0; ///< of the system that K and S are of, 0 if there is none

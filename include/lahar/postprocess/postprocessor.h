@@ -60,7 +60,8 @@ namespace Lahar
   public:
     virtual ~Postprocessor() = default;
 
-    virtual void parse_parameters(Parameters &prm) = 0;
+    /// Read the model's own subsection. Not called for a model without entries.
+    virtual void parse_parameters(Parameters & /*prm*/) {}
 
     /// Called once, when the solids have their mesh.
     virtual void initialize(const Solids<dim> & /*solids*/) {}

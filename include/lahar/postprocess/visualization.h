@@ -3,7 +3,7 @@
 #ifndef lahar_postprocess_visualization_h
 #define lahar_postprocess_visualization_h
 
-#include <lahar/postprocess/postprocessor.h>
+#include <lahar/postprocess/output_field.h>
 
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
@@ -20,10 +20,9 @@ namespace Lahar
    * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part, and rigid walls, which
    * stay, one file walls.vtu, the third part.
    *
-   * Point data: velocity, pressure, particle_kind (0 fluid, 1 wall, 2 solid). Cell data: strain_rate,
-   * effective_viscosity, yielded. On several ranks each writes a piece of the fluid, solution-NNNNN.R.vtu, and
-   * solution-NNNNN.pvtu lists them. Files are written under a temporary name first, so that each that has its final
-   * name is complete. The list leaves out files that others have removed, as long as they are away.
+   * The fields of the fluid are models, see OutputField. On several ranks each writes a piece of the fluid,
+   * solution-NNNNN.R.vtu, and solution-NNNNN.pvtu lists them. Files are written under a temporary name first, so that each
+   * that has its final name is complete. The list leaves out files that others have removed, as long as they are away.
    */
   template <int dim>
   class Visualization
@@ -34,7 +33,7 @@ namespace Lahar
 
     /// Collective. @return on the first rank which files have been removed since the last time, for people. @throws
     /// RunError if a file cannot be written.
-    std::string write(const Snapshot<dim> &snapshot);
+    std::string write(const Snapshot<dim> &snapshot, const typename OutputField<dim>::List &fields);
 
     /// Write walls.vtu, if there are walls, which are the same on all ranks. @throws RunError as above
     void write_walls(const Walls<dim> &walls);
@@ -62,10 +61,11 @@ namespace Lahar
     };
 
     /// Each rank its own cells, then the list. @return the name of the file with all of the fluid; none if there is none.
-    std::string write_fluid(const Snapshot<dim> &snapshot, const std::string &name) const;
+    std::string write_fluid(const Snapshot<dim> &snapshot, const typename OutputField<dim>::List &fields,
+                            const std::string &name) const;
     /// Write the mesh to one of the @p pieces. @return the list of these.
-    std::string write_piece(const Snapshot<dim> &snapshot, const std::string &file_name,
-                            const std::vector<std::string> &pieces) const;
+    std::string write_piece(const Snapshot<dim> &snapshot, const typename OutputField<dim>::List &fields,
+                            const std::string &file_name, const std::vector<std::string> &pieces) const;
     std::string write_records();
 
     std::string directory;

@@ -29,12 +29,8 @@ namespace Lahar
    * the geometry are left out while they would flatten cells or turn the increment uphill, and a step that overshoots is
    * shortened by a line search; the work of the residual along the increment tells both.
    *
-   * - CoupledScheme finds the increments of velocity and pressure together.
-   * - SegregatedScheme finds the velocities' for given pressures, then the pressures', and corrects both in a few more
-   *   sweeps, see LinearSolver::solve_in_two_steps(). Franci & Zhang (2018) make one sweep for every assembly, with H alone
-   *   for the pressures and a pseudo bulk modulus in K to make up for it. With S no such parameter is needed, and without
-   *   plugs one sweep would do. In plugs diag(K)⁻¹ says little about K⁻¹; the corrections find the few directions in
-   *   which it does not.
+   * How the increments are found is what a scheme does of its own. It registers itself with
+   * Factory<NonlinearScheme<dim>>; its entries stand in the subsection of its name in "Nonlinear solver".
    */
   template <int dim>
   class NonlinearScheme
@@ -42,8 +38,14 @@ namespace Lahar
   public:
     virtual ~NonlinearScheme() = default;
 
+    /// Declare the entries of all schemes.
     static void declare_parameters(Parameters &prm);
+
+    /// The scheme that is chosen. @throws InputError
     static std::unique_ptr<NonlinearScheme> create(Parameters &prm);
+
+    /// Read the entries that this scheme alone has.
+    virtual void parse_parameters(Parameters & /*prm*/) {}
 
     /// @param before_iteration is called before each iteration; what it throws leaves the solution.
     /// @throws RunError if the iteration fails, with the number of the iteration and the reason.
@@ -79,28 +81,6 @@ namespace Lahar
     unsigned int maximum_iterations  = 30;
     bool motion             = true; ///< whether the Jacobian has the derivatives of the geometry in this step
     double motion_increment = 0.;   ///< velocity increment below which they come back
-  };
-
-  /// See NonlinearScheme.
-  template <int dim>
-  class CoupledScheme : public NonlinearScheme<dim>
-  {
-  protected:
-    unsigned int find_increments(StepProblem<dim> &problem) const override
-    {
-      return problem.solve(this->negligible_error());
-    }
-  };
-
-  /// See NonlinearScheme.
-  template <int dim>
-  class SegregatedScheme : public NonlinearScheme<dim>
-  {
-  protected:
-    unsigned int find_increments(StepProblem<dim> &problem) const override
-    {
-      return problem.solve(this->negligible_error(), true);
-    }
   };
 } // namespace Lahar
 

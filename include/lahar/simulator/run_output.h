@@ -3,6 +3,7 @@
 #ifndef lahar_simulator_run_output_h
 #define lahar_simulator_run_output_h
 
+#include <lahar/postprocess/output_field.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/postprocess/progress.h>
 #include <lahar/postprocess/visualization.h>
@@ -142,6 +143,7 @@ namespace Lahar
     Visualization<dim> visualization;
     std::unique_ptr<Progress> progress; ///< from begin() or resume() on
     std::vector<std::unique_ptr<Postprocessor<dim>>> postprocessors;
+    typename OutputField<dim>::List fields;
     TimeMeans time_means;
     std::vector<std::string> case_warnings;
     double last_time               = 0.;                      ///< when a snapshot was due last, s

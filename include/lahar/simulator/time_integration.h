@@ -5,7 +5,9 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <lahar/utilities/parameters.h>
+#include <lahar/simulator/time_rule.h>
+
+#include <memory>
 
 namespace Lahar
 {
@@ -23,23 +25,8 @@ namespace Lahar
   /**
    * One-step rules whose unknown is w, the mean velocity of a node in the step: it moves from x_n to x = x_n + Δt w. The
    * volume of a cell at the end of the step is thus a function of w alone, whatever v_n is, and the mass equation keeps
-   * it.
-   *
-   * Newmark's rule as of Wood, Bossak & Zienkiewicz (Int. J. Numer. Meth. Engng. 15 (1980) 1562–1566), γ ≥ 1/2,
-   * α = 1/2 − γ, β = (1/2 + γ)²/4:
-   *
-   *   w     = v_n + Δt [(1/2 − β) a_n + β a],
-   *   v     = v_n + Δt [(1 − γ) a_n + γ a],
-   *   dv/dt = (1 − α) a + α a_n,
-   *
-   * all forces at the end of the step. It is of second order for every γ. What remeshing and impacts leave in v that the
-   * incompressible fluid cannot follow is multiplied by ρ = (3/2 − γ)/(1/2 + γ) in every step: γ = 1/2 is the trapezoidal
-   * rule, which never forgets it, γ = 3/2 has forgotten it after two steps and equals the backward differences of second
-   * order.
-   *
-   * The first step of a run knows no a_n: the acceleration is constant in it, w = v_n + Δt/2 a, v = v_n + Δt a.
-   *
-   * Backward Euler: v = w, dv/dt = a = (w − v_n)/Δt.
+   * it. All forces are those at the end of the step. The rules, of which "Time integration" names one, are
+   * TimeCoefficients in the same formulas.
    *
    * A node that is stopped or driven in the step moves impulsively: v = w, dv/dt = (w − v_n)/Δt, and a stays.
    */
@@ -52,7 +39,7 @@ namespace Lahar
     /// The same rule, in the same step, with another γ of Newmark's.
     TimeIntegration with_gamma(const double newmark_gamma) const;
 
-    /// Begin a step of length @p time_step (s); @p is_first as said above.
+    /// Begin a step of length @p time_step (s); @p is_first whether it is a run's first one.
     void start_step(const double time_step, const bool is_first);
 
     /// Whether the step is a run's first one.
@@ -70,13 +57,13 @@ namespace Lahar
     /// ∂v/∂w at the end of the step.
     double velocity_factor(const bool impulsive) const
     {
-      return impulsive ? 1. : gamma / beta;
+      return impulsive ? 1. : coefficients.gamma / coefficients.beta;
     }
 
     /// ∂(dv/dt)/∂w at the end of the step, 1/s.
     double acceleration_factor(const bool impulsive) const
     {
-      return (impulsive ? 1. : (1. - alpha) / beta) / time_step;
+      return (impulsive ? 1. : (1. - coefficients.alpha) / coefficients.beta) / time_step;
     }
 
     /// What follows at the end of the step from @p w and the motion at its start.
@@ -86,15 +73,16 @@ namespace Lahar
       if (impulsive)
         return {w, (w - start.velocity) / time_step, start.algorithmic_acceleration};
       const Tensor<1, dim> &a_n = start.algorithmic_acceleration;
-      const Tensor<1, dim> a    = (w - start.velocity) / (beta * time_step) - old_factor * a_n;
-      return {start.velocity + time_step * ((1. - gamma) * a_n + gamma * a), (1. - alpha) * a + alpha * a_n,
-              a};
+      const Tensor<1, dim> a    = (w - start.velocity) / (coefficients.beta * time_step) -
+                               coefficients.old_factor * a_n;
+      return {start.velocity + time_step * ((1. - coefficients.gamma) * a_n + coefficients.gamma * a),
+              (1. - coefficients.alpha) * a + coefficients.alpha * a_n, a};
     }
 
     /// (γ − 1) Δt, s, see MomentumAccount.
     double carried_time() const
     {
-      return (gamma - 1.) * time_step;
+      return (coefficients.gamma - 1.) * time_step;
     }
 
     /**
@@ -105,15 +93,15 @@ namespace Lahar
     template <int dim>
     Tensor<1, dim> mean_force(const Tensor<1, dim> &force, const Tensor<1, dim> &old_mean_force) const
     {
-      return (force - alpha * old_mean_force) / (1. - alpha);
+      return (force - coefficients.alpha * old_mean_force) / (1. - coefficients.alpha);
     }
 
   private:
-    bool newmark         = true;
+    std::shared_ptr<const TimeRule> rule;
     double newmark_gamma = 1.5;
     bool is_first        = true;
     double time_step     = 0.;
-    double alpha = 0., beta = 1., gamma = 1., old_factor = 0.;
+    TimeCoefficients coefficients;
   };
 } // namespace Lahar
 

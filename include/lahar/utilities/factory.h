@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Lahar
@@ -26,8 +27,10 @@ namespace Lahar
    * @code
    *   static const Factory<FluidLaw>::Registration<Bingham> bingham("Bingham", "Plastic viscosity, yield stress.");
    * @endcode
-   * @p Base needs `void parse_parameters(Parameters &)`, every model a static
-   * `void declare_parameters(Parameters &)`. Each model's entries stand in a subsection of the model's name.
+   * @p Base needs a virtual `void parse_parameters(Parameters &)`. A model with entries has a static
+   * `void declare_parameters(Parameters &)`; they stand in a subsection of the model's name or of the one that its
+   * registration gives. A model that has no such function, or only that of @p Base, which is about the whole kind, has
+   * no entries: no subsection, and parse_parameters() is not called.
    */
   template <typename Base>
   class Factory
@@ -36,10 +39,11 @@ namespace Lahar
     template <typename Model>
     struct Registration
     {
-      Registration(const std::string &name, const std::string &description)
+      /// @param section where the model's entries stand, if not in the subsection of its name.
+      Registration(const std::string &name, const std::string &description, const std::string &section = "")
       {
-        const Entry entry{[]() { return std::make_unique<Model>(); }, &Model::declare_parameters,
-                          description};
+        const Entry entry{[]() { return std::make_unique<Model>(); }, declaration<Model>(), description,
+                          section.empty() ? name : section};
         if (!models().emplace(name, entry).second)
           doubled_model_names().push_back(name);
       }
@@ -68,15 +72,33 @@ namespace Lahar
       return models().count(name) > 0;
     }
 
-    /// Declare one subsection per model in the handler's current section.
+    /// Declare an entry whose value is the name of a model. @param documentation what is chosen; what the models are
+    /// follows.
+    static void declare_choice(Parameters &prm, const std::string &entry, const std::string &default_name,
+                               const std::string &documentation)
+    {
+      prm.declare_choice(entry, default_name, names(), documentation + " " + descriptions());
+    }
+
+    /// The value of such an entry. @throws InputError with the names of all models if it is none of them.
+    static std::string choice(const Parameters &prm, const std::string &entry)
+    {
+      const std::string name = prm.get(entry);
+      if (!contains(name))
+        prm.throw_wrong_value(entry, names());
+      return name;
+    }
+
+    /// Declare one subsection for each model with entries in the handler's current section.
     static void declare_parameters(Parameters &prm)
     {
       for (const auto &[name, model] : models())
-      {
-        prm.enter_subsection(name);
-        model.declare(prm);
-        prm.leave_subsection();
-      }
+        if (model.declare)
+        {
+          prm.enter_subsection(model.section);
+          model.declare(prm);
+          prm.leave_subsection();
+        }
     }
 
     /// Create the model @p name, which the factory must contain, and let it read its subsection of the handler's
@@ -86,38 +108,60 @@ namespace Lahar
       const auto entry = models().find(name);
       Assert(entry != models().end(), ExcMessage("There is no model '" + name + "'."));
       std::unique_ptr<Base> model = entry->second.create();
-      prm.enter_subsection(name);
-      model->parse_parameters(prm);
-      prm.leave_subsection();
+      if (entry->second.declare)
+      {
+        prm.enter_subsection(entry->second.section);
+        model->parse_parameters(prm);
+        prm.leave_subsection();
+      }
       return model;
     }
 
-    /// Declare the entry @p entry, which chooses a model by its name, and one subsection per model. An empty
-    /// @p default_name makes the user choose. @param documentation what the choice is about.
-    static void declare_choice(Parameters &prm, const std::string &entry, const std::string &default_name,
+    /// Declare such an entry and the models' subsections. An empty @p default_name makes the user choose.
+    static void declare_models(Parameters &prm, const std::string &entry, const std::string &default_name,
                                const std::string &documentation)
     {
-      prm.declare_choice(entry, default_name, names(),
-                         documentation + " " + descriptions() +
-                           " Its parameters, if it has any, stand in the subsection of its name.");
+      declare_choice(prm, entry, default_name,
+                     documentation + " Its parameters, if it has any, stand in the subsection of its name.");
       declare_parameters(prm);
     }
 
     /// Create the model that @p entry of the handler's current section names. @throws InputError if there is none.
     static std::unique_ptr<Base> create_chosen(Parameters &prm, const std::string &entry)
     {
-      if (!contains(prm.get(entry)))
-        prm.throw_wrong_value(entry, names());
-      return create(prm.get(entry), prm);
+      return create(choice(prm, entry), prm);
     }
 
   private:
+    using Declaration = void (*)(Parameters &);
+
     struct Entry
     {
       std::function<std::unique_ptr<Base>()> create;
-      std::function<void(Parameters &)> declare;
-      std::string description;
+      Declaration declare; ///< null for a model without entries
+      std::string description, section;
     };
+
+    template <typename T, typename = void>
+    struct Declares : std::false_type
+    {};
+
+    template <typename T>
+    struct Declares<T, std::void_t<decltype(static_cast<Declaration>(&T::declare_parameters))>>
+      : std::true_type
+    {};
+
+    /// The model's own function, or one that it inherits from another model; not that of @p Base.
+    template <typename Model>
+    static Declaration declaration()
+    {
+      Declaration own = nullptr, of_kind = nullptr;
+      if constexpr (Declares<Model>::value)
+        own = &Model::declare_parameters;
+      if constexpr (Declares<Base>::value)
+        of_kind = &Base::declare_parameters;
+      return own == of_kind ? nullptr : own;
+    }
 
     static std::map<std::string, Entry> &models()
     {
