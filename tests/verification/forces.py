@@ -30,7 +30,10 @@ def check_dam_break(check):
     time, step = statistics["Time (s)"], statistics["Time step size (s)"]
     check.below("dam break, difference of the steps' lengths", np.ptp(step), 1e-12)
     walls = columns(statistics, "walls force %s (N)")
-    barrier = columns(statistics, "Solid 1 fluid force %s (N)")
+    in_box = columns(statistics, "everywhere force %s (N)")
+    check.below("dam break, force on the boundary less that on walls in a box around it, over the largest",
+                np.abs(walls - in_box).max() / np.abs(in_box).max(), 1e-7)
+    barrier = columns(statistics, "barrier fluid force %s (N)")
     volume = np.r_[statistics["Fluid volume (m^dim)"][0], statistics["Fluid volume (m^dim)"]]
     weight = np.array([np.zeros(len(time)), -DENSITY * GRAVITY * 0.5 * (volume[1:] + volume[:-1])])
     # The momentum is that in the middle of the step.
@@ -52,7 +55,7 @@ def check_dam_break(check):
     total = np.r_[0., np.cumsum(barrier[0] * step)]
     at = [0] + [int(np.argmin(abs(time - t))) + 1 for t in outputs[1:]]
     means = np.array([(total[b] - total[a]) / (time[b - 1] - (time[a - 1] if a else 0.)) for a, b in zip(at, at[1:])])
-    given = statistics["Solid 1 mean fluid force x (N)"][np.array(at[1:]) - 1]
+    given = statistics["barrier mean fluid force x (N)"][np.array(at[1:]) - 1]
     check.below("dam break, mean columns at the snapshots over the largest", np.abs(given - means).max() / np.abs(means).max(),
                 1e-7)
 
