@@ -5,6 +5,7 @@ program, and load what is no plugin for it. The code in doc/extending.md is the 
 
 Usage: plugins.py BUILD_DIRECTORY
 """
+import math
 import os
 import re
 import shutil
@@ -37,9 +38,10 @@ def cached(name):
 def test_page():
     text = open(os.path.join(ROOT, "doc", "extending.md")).read()
     blocks = re.findall("```cpp\n(.*?)```", text, re.S)
-    for block, name in zip(blocks, ("herschel_bulkley.cc", "largest_speed.cc")):
-        source = open(os.path.join(EXAMPLE, name)).read().split("\n\n", 1)[1]
-        check(f"doc/extending.md has {name} as it is", block == source)
+    for path in [*(os.path.join(EXAMPLE, name) for name in sorted(os.listdir(EXAMPLE)) if name.endswith(".cc")),
+                 os.path.join(ROOT, "source", "boundary", "free_slip.cc")]:
+        source = open(path).read().split("\n\n", 1)[1]
+        check(f"doc/extending.md has {os.path.basename(path)} as it is", source in blocks)
 
 
 def test_example(parent):
@@ -71,6 +73,16 @@ def test_example(parent):
     speeds = [float(line.split()[column]) for line in lines if not line.startswith("#")]
     # Ritter's front of a dam break without friction.
     check("... which is a speed of a column 0.2 m high", 0.1 < max(speeds) < 2. * (9.81 * 0.2)**0.5, max(speeds))
+    ellipse = ["--set", "Fluids/fluid/Shape=ellipse", "--set", "Fluids/fluid/ellipse/Centre=0.3, 0.2", "--set",
+               "Fluids/fluid/ellipse/Corners=40"]
+    result = call([lahar, "--check", *ellipse, "--set", "Fluids/fluid/ellipse/Half axes=0.2, 0.1",
+                   os.path.join(source, "case.prm")], parent)
+    volume = re.search(r"Fluid volume +(\S+) m\^2", result.stdout)
+    check("the plugin's shape has its volume", result.returncode == 0 and volume and
+          abs(float(volume[1]) - math.pi * 0.2 * 0.1) < 1e-5, result.stdout, result.stderr)
+    result = call([lahar, "--check", *ellipse, os.path.join(source, "case.prm")], parent)
+    check("... and refuses one without extent", result.returncode == 2 and
+          "'Fluids/fluid/ellipse/Half axes' is '0, 0'" in result.stderr, result.stderr)
     return lahar, os.path.join(source, "build", "libexample.so")
 
 
