@@ -409,7 +409,7 @@ def test_printed():
         check("--print-parameters prm", result.returncode == 0 and "set Mesh size" in result.stdout, result.stderr)
         check("nothing written", os.listdir(directory) == [])
 
-        check("--print-parameters prm shows a part of each kind", all(re.search("set %s *= %s\n" % item, result.stdout)
+        check("--print-parameters prm shows a part of each kind", all(re.search(r"set %s *= %s\b" % item, result.stdout)
               for item in {"Fluids": "fluid", "Boundaries": "boundary", "Solids": "solid"}.items()), result.stdout)
 
         # The printed parameters are a parameter file, once the parts have shapes.
