@@ -37,19 +37,51 @@ def new_case(parent, name, text):
     return directory
 
 
+def section(name, *texts):
+    """A subsection of a parameter file with the texts, each of one or more lines."""
+    lines = [line for text in texts for line in text.splitlines() if line.strip()]
+    return "\n".join([f"subsection {name}", *("  " + line for line in lines), "end\n"])
+
+
+def shape(kind, *settings):
+    """Entries of a fluid, boundary or solid of this shape; settings of the shape are texts 'entry = value'."""
+    return f"set Shape = {kind}\n" + section(kind, *("set " + setting for setting in settings))
+
+
+def mesh(file, groups, scale=1.):
+    """The shape of groups of a gmsh file."""
+    return shape("mesh", f"File = {file}", f"Groups = {groups}", f"Scale = {scale:g}")
+
+
+def parts(kind, texts, *more):
+    """The fluids, boundaries or solids of a case, by their names, as text; more stands beside them in the subsection."""
+    return f"set {kind} = {', '.join(texts)}\n" + section(kind, *more, *(section(*part) for part in texts.items()))
+
+
+def wall(points, law="no slip"):
+    """Entries of a boundary of lines in the plane, of polygons in space."""
+    in_space = points.split(":")[0].count(",") == 2
+    return (shape("polygon", "Corners = " + points) if in_space else shape("polyline", "Points = " + points)) + \
+        f"set Law = {law}\n"
+
+
+def walls(points):
+    """One boundary 'walls', to which fluid sticks."""
+    return parts("Boundaries", {"walls": wall(points)})
+
+
+def fluid(corners, *more):
+    """One fluid 'fluid' of boxes, and its further entries."""
+    return parts("Fluids", {"fluid": shape("box", "Corners = " + corners) + "".join(more)})
+
+
 def barrier(left, right):
-    """Parameters of an elastic barrier, 8 cm high and clamped below."""
-    return f"""
-subsection Solids
-  set Number of solids = 1
-  subsection Solid 1
-    set Box     = {left}, 0 : {right}, 0.08
-    set Clamped = {left}, 0 : {right}, 0
-    subsection hypoelastic
-      set Density         = 2500
-      set Young's modulus = 1e6
-      set Poisson's ratio = 0
-    end
-  end
+    """One solid 'barrier', elastic, 8 cm high and clamped below."""
+    return parts("Solids", {"barrier": shape("box", f"Corners = {left}, 0 : {right}, 0.08") + f"""
+set Clamped = {left}, 0 : {right}, 0
+subsection hypoelastic
+  set Density         = 2500
+  set Young's modulus = 1e6
+  set Poisson's ratio = 0
 end
-"""
+"""})

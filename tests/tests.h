@@ -92,12 +92,10 @@ namespace Tests
   {
     Parameters prm;
     FluidLaw::declare_parameters(prm);
-    prm.enter_subsection("Fluid");
     prm.set("Law", name);
     prm.enter_subsection(name);
     for (const auto &[entry, value] : entries)
       prm.set(entry, value);
-    prm.leave_subsection();
     prm.leave_subsection();
     return FluidLaw::create(prm);
   }

@@ -22,8 +22,9 @@ def geometry(left, right, plane_of_symmetry):
     sides = {y: f"-0.3024, {y}, 0 : 0.8, {y}, 0 : 0.8, {y}, 0.12 : -0.3024, {y}, 0.12" for y in (left, right)}
     rough = "; ".join([bed, upstream] + [side for y, side in sides.items() if y not in plane_of_symmetry])
     smooth = "; ".join(side for y, side in sides.items() if y in plane_of_symmetry)
-    return (f"Geometry/Fluid boxes=-0.3024, {left}, 0 : 0, {right}, 0.0756", f"Geometry/No-slip walls={rough}",
-            f"Geometry/Slip walls={smooth}")
+    return (f"Fluids/fluid/box/Corners=-0.3024, {left}, 0 : 0, {right}, 0.0756", "Boundaries=walls, slip walls",
+            f"Boundaries/walls/polygon/Corners={rough}", "Boundaries/slip walls/Shape=polygon",
+            f"Boundaries/slip walls/polygon/Corners={smooth}", "Boundaries/slip walls/Law=free slip")
 
 
 def runs(make_run):

@@ -21,14 +21,14 @@ def runs(make_run):
     result = []
     for case, (length, _, yield_stresses) in CASES.items():
         height = CASES[case][1]
-        wedge = ("Geometry/Fluid boxes=", f"Geometry/Fluid polygons=-{length}, 0 : 0, 0 : 0, {height}")
+        wedge = ("Fluids/fluid/Shape=polygon", f"Fluids/fluid/polygon/Corners=-{length}, 0 : 0, 0 : 0, {height}")
         for shape, settings in (("block", ()), ("wedge", wedge)):
             for tau0 in yield_stresses:
                 result.append(make_run(CASE, f"{case}-{shape}-tau{tau0}", f"prm/bentonite_slope/case_{case}_2d.prm",
-                                       (f"Fluid/Bingham/Yield stress={tau0}", *settings), f"{case} {shape}", tau0, 0.006))
+                                       (f"Fluids/fluid/Bingham/Yield stress={tau0}", *settings), f"{case} {shape}", tau0, 0.006))
     for m in (1, 100):
         result.append(make_run(CASE, f"a-block-tau93.05-m{m}", "prm/bentonite_slope/case_a_2d.prm",
-                               ("Fluid/Bingham/Yield stress=93.05", f"Fluid/Bingham/Regularization parameter={m}"),
+                               ("Fluids/fluid/Bingham/Yield stress=93.05", f"Fluids/fluid/Bingham/Regularization parameter={m}"),
                                f"a m{m}", 93.05, 0.006))
     return result
 

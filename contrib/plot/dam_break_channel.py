@@ -16,7 +16,7 @@ COLORS = {25: "#009E73", 50: "#E69F00", 100: "#D55E00"}
 def runs(make_run):
     """All runs. @p make_run(case, name, file, settings, label, tau0, h) makes one."""
     return [make_run(CASE, f"{flow}-tau{tau0}-h{MESH_SIZE:g}", file,
-                     (f"Fluid/Bingham/Yield stress={tau0}", f"Mesh size={MESH_SIZE:g}", "Output interval=0.025"), flow, tau0,
+                     (f"Fluids/fluid/Bingham/Yield stress={tau0}", f"Mesh size={MESH_SIZE:g}", "Output interval=0.025"), flow, tau0,
                      MESH_SIZE)
             for tau0 in COLORS for flow, file in FILES.items()]
 

@@ -25,12 +25,12 @@ def runs(make_run):
     def make(tau0, h, degree, suffix="", more=(), label=""):
         step = ("Time step=5e-4",) if h < 0.003 else ()
         return make_run(CASE, f"tau{tau0}-h{h:g}-p{degree}{suffix}", FILE,
-                        (f"Fluid/Bingham/Yield stress={tau0}", f"Mesh size={h}", f"Solids/Degree={degree}", *step, *more),
+                        (f"Fluids/fluid/Bingham/Yield stress={tau0}", f"Mesh size={h}", f"Solids/Degree={degree}", *step, *more),
                         label or f"P{degree}", tau0, h)
 
     return ([make(0, 0.004, 2), make(0, 0.002, 1)]
             + [make(100, h, degree) for degree in (2, 1) for h in (*COARSE, 0.004)]
-            + [make(100, 0.004, 2, f"-m{m:g}", (f"Fluid/Bingham/Regularization parameter={m}",), f"P2, m = {m:g} s")
+            + [make(100, 0.004, 2, f"-m{m:g}", (f"Fluids/fluid/Bingham/Regularization parameter={m}",), f"P2, m = {m:g} s")
                for m in (0.1, 1, 100)]
             + [make(tau0, 0.004, 2) for tau0 in (25, 50)]
             + [make(tau0, 0.002, 2) for tau0 in (100, 50, 25)] + [make(100, 0.002, 1)])

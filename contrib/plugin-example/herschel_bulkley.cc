@@ -14,13 +14,13 @@ namespace Lahar
     static void declare_parameters(Parameters &prm)
     {
       declare_common_parameters(prm); // Density and Bulk modulus
-      prm.declare_entry("Consistency", "1", Patterns::Anything(), "Consistency K in Pa s^n, zero or above.");
-      prm.declare_entry("Flow index", "0.5", Patterns::Anything(), "Flow index n, 0.1 to 2.");
-      prm.declare_entry("Yield stress", "100", Patterns::Anything(), "Yield stress τ0 in Pa, zero or above.");
-      prm.declare_entry("Regularization parameter", "1000", Patterns::Anything(),
-                        "Papanastasiou's regularization parameter m in s, above zero.");
-      prm.declare_entry("Smallest strain rate", "1e-3", Patterns::Anything(),
-                        "The viscous part is constant below this strain rate, 1/s, above zero.");
+      prm.declare_positive("Consistency", "1", "Consistency K in Pa s^n, zero or above.");
+      prm.declare_number("Flow index", "0.5", "Flow index n, 0.1 to 2.", 0.1, 2.);
+      prm.declare_positive("Yield stress", "100", "Yield stress τ0 in Pa, zero or above.");
+      prm.declare_positive("Regularization parameter", "1000",
+                           "Papanastasiou's regularization parameter m in s, above zero.");
+      prm.declare_positive("Smallest strain rate", "1e-3",
+                           "The viscous part is constant below this strain rate, 1/s, above zero.");
     }
 
     void parse_parameters(Parameters &prm) override

@@ -14,7 +14,7 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm)
     {
-      prm.declare_entry("Column", "", Patterns::Anything(), "Name of the column; none without a name.");
+      prm.declare_text("Column", "", "Name of the column; none without a name.");
     }
 
     void parse_parameters(Parameters &prm) override

@@ -10,7 +10,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import barrier  # noqa: E402
+from program_test import barrier, fluid, section, walls  # noqa: E402
 
 COMMON = """
 set Output directory = out
@@ -18,17 +18,10 @@ set Output interval  = %(interval)g
 set Time step        = 2e-3
 set End time         = %(end)g
 set Mesh size        = %(size)g
+set Largest number of particles = 30000
 subsection Checkpoint
   set Steps between   = %(steps)d
   set Minutes between = 0
-end
-subsection Fluid
-  subsection Bingham
-    set Yield stress = %(stress)g
-  end
-end
-subsection Geometry
-  set Largest number of particles = 30000
 end
 subsection Solids
   set Largest number of nodes = 30000
@@ -46,20 +39,12 @@ subsection Linear solver
 end
 """
 
-COLUMN = """
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.146, %(height)g
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
-end
-"""
+YIELDING = section("Bingham", "set Yield stress = %(stress)g")
 
-SPACE = """
-set Dimension = 3
-subsection Geometry
-  set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, %(height)g
-  set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
-end
-"""
+COLUMN = fluid("0, 0 : 0.146, %(height)g", YIELDING) + walls("0, 0.4 : 0, 0 : 0.5, 0")
+
+SPACE = "set Dimension = 3\n" + fluid("0, 0, 0 : 0.1, 0.1, %(height)g", YIELDING) + \
+    walls("-0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0")
 
 # What measures convergence or time, not the flow.
 NOT_THE_FLOW = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",

@@ -23,11 +23,11 @@ import time
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, check, failed, new_case  # noqa: E402
+from program_test import ENVIRONMENT, check, failed, fluid, mesh, new_case, parts, walls  # noqa: E402
 
 LAHAR, MESH = os.path.abspath(sys.argv[2]), os.path.abspath(sys.argv[3])
 
-CASE = """
+TOP = """
 set Output directory = out
 set End time         = 0.06
 set Time step        = 2e-3
@@ -37,11 +37,9 @@ subsection Checkpoint
   set Steps between   = 5
   set Minutes between = 0
 end
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.1, 0.2
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4
-end
 """
+
+CASE = TOP + fluid("0, 0 : 0.1, 0.2") + walls("0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4")
 
 # A run that does not end by itself.
 ENDLESS = ["--set", "End time=1000", "--set", "Output interval=1000"]
@@ -166,7 +164,7 @@ def test_overwrite(parent):
     check("... it names the directory and both ways out",
           all(part in process.err for part in ("'out'", "--resume", "--overwrite")), process.err)
     for arguments in (["--overwrite", "--resume"], ["--overwrite", "--set", "Mesh size=-1"],
-                      ["--overwrite", "--set", "Geometry/Fluid boxes=0, 0 : 0.001, 0.001"], ["--check", "--overwrite"]):
+                      ["--overwrite", "--set", "Fluids/fluid/box/Corners=0, 0 : 0.001, 0.001"], ["--check", "--overwrite"]):
         process = run(case, *arguments)
         check(f"{' '.join(arguments)}: status {2 if '--check' not in arguments else 0}",
               process.returncode == (0 if "--check" in arguments else 2), process.returncode, process.err)
@@ -270,9 +268,8 @@ def test_removed(parent):
 
 
 def test_files(parent):
-    text = CASE.replace("  set Fluid boxes   = 0, 0 : 0.1, 0.2\n", "  set Mesh file     = column.msh\n"
-                        "  set Fluid groups  = fluid\n").replace(
-        "  set No-slip walls = 0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4\n", "  set No-slip wall groups = walls\n")
+    text = TOP + parts("Fluids", {"fluid": mesh("column.msh", "fluid")}) + \
+        parts("Boundaries", {"walls": mesh("column.msh", "walls")})
     case = new_case(parent, "case", text)
     mesh = os.path.join(case, "column.msh")
     shutil.copy(MESH, mesh)

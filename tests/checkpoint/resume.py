@@ -29,11 +29,11 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import barrier, check, failed, new_case  # noqa: E402
+from program_test import barrier, check, failed, fluid, new_case, section, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[2])
 
-COLUMN = """
+COLLAPSE = """
 set Output directory = out
 set End time         = 0.12
 set Time step        = 2e-3
@@ -43,18 +43,11 @@ subsection Checkpoint
   set Steps between   = 7
   set Minutes between = 0
 end
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.146, 0.292
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4
-end
-subsection Fluid
-  subsection Bingham
-    set Yield stress = 20
-  end
-end
-"""
+""" + fluid("0, 0 : 0.146, 0.292", section("Bingham", "set Yield stress = 20"))
 
-BARRIER = COLUMN.replace("0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4", "0, 0.4 : 0, 0 : 0.5, 0") + barrier(0.17, 0.185)
+COLUMN = COLLAPSE + walls("0, 0.4 : 0, 0 : 0.2, 0 : 0.2, 0.4")
+
+BARRIER = COLLAPSE + walls("0, 0.4 : 0, 0 : 0.5, 0") + barrier(0.17, 0.185)
 
 REFINED = COLUMN + """
 subsection Remeshing
@@ -77,11 +70,7 @@ set End time         = 0.08
 set Time step        = 2e-3
 set Mesh size        = 0.02
 set Output interval  = 0.02
-subsection Geometry
-  set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, 0.15
-  set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
-end
-"""
+""" + fluid("0, 0, 0 : 0.1, 0.1, 0.15") + walls("-0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0")
 
 def start(directory, *arguments, **options):
     environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
@@ -191,8 +180,8 @@ def test_changed(parent):
     check("an earlier end time is refused: status 2", process.returncode == 2, process.returncode)
     check("... and the entry is named", "'End time' is '0.01'" in process.err, process.err)
 
-    for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluid/Bingham/Yield stress", "21", "20"),
-                                  ("Geometry/Fluid boxes", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),
+    for entry, value, earlier in [("Mesh size", "0.01", "0.015"), ("Fluids/fluid/Bingham/Yield stress", "21", "20"),
+                                  ("Fluids/fluid/box/Corners", "0, 0 : 0.1, 0.2", "0, 0 : 0.146, 0.292"),
                                   ("Remeshing/Keep volume", "false", "true"),
                                   ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1 : 0.01", "")]:
         before = contents(short)
@@ -212,8 +201,8 @@ def test_changed(parent):
     check("... with the new output interval", times == [0., 0.02, 0.025, 0.03], times)
     check("--check reports the resumed sizes", run(short, "--resume", "--check", "--set", "End time=0.04").returncode == 0)
 
-    for entry, value in [("Mesh size", "1.5e-2"), ("Fluid/Bingham/Yield stress", "20.0"), ("Gravity", "0,-981e-2"),
-                         ("Geometry/Fluid boxes", "0,0:1.46e-1 , 0.2920")]:
+    for entry, value in [("Mesh size", "1.5e-2"), ("Fluids/fluid/Bingham/Yield stress", "20.0"), ("Gravity", "0,-981e-2"),
+                         ("Fluids/fluid/box/Corners", "0,0:1.46e-1 , 0.2920")]:
         process = run(short, "--resume", "--set", f"{entry}={value}", "--set", "End time=0.03")
         check(f"{entry} = {value} is the same number: status 0", process.returncode == 0, process.err)
 

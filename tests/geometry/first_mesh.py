@@ -15,17 +15,15 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, check, failed, new_case  # noqa: E402
+from program_test import ENVIRONMENT, check, failed, fluid, mesh, new_case, parts, shape, wall, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[1])
 
 WATER = """
-subsection Fluid
-  set Law = Newtonian
-  subsection Newtonian
-    set Density   = 1000
-    set Viscosity = %s
-  end
+set Law = Newtonian
+subsection Newtonian
+  set Density   = 1000
+  set Viscosity = %s
 end
 """
 
@@ -113,12 +111,8 @@ set Output directory = out
 set End time         = 0.02
 set Time step        = 2e-3
 set Mesh size        = %g
-subsection Geometry
-  set Mesh file     = column.msh
-  set Fluid groups  = left, right
-  set No-slip walls = 0, 0.5 : 0, 0 : 0.2, 0 : 0.2, 0.5
-end
-""" % h + WATER % "1e-3" + """
+""" % h + parts("Fluids", {"fluid": mesh("column.msh", "left, right") + WATER % "1e-3"}) + walls(
+                "0, 0.5 : 0, 0 : 0.2, 0 : 0.2, 0.5") + """
 subsection Postprocess
   subsection Point gauges
     set Points = deep: 0.1, 0.05
@@ -147,28 +141,17 @@ set End time         = 0.08
 set Time step        = 1e-3
 set Mesh size        = 0.01
 set Gravity          = 0, 0
-subsection Geometry
-  set Mesh file    = shell.msh
-  set Fluid groups = inside
+""" + parts("Fluids", {"fluid": mesh("shell.msh", "inside") + WATER % "1"}) + parts("Solids", {
+            "shell": mesh("shell.msh", "shell") + """
+set Loaded   = -1, -1 : 1, 1
+set Traction = if(x*x+y*y>0.011, -1000*min(1,t/0.05)*x/sqrt(x*x+y*y), 0); \\
+               if(x*x+y*y>0.011, -1000*min(1,t/0.05)*y/sqrt(x*x+y*y), 0)
+subsection hypoelastic
+  set Density         = 1100
+  set Young's modulus = 1e6
+  set Poisson's ratio = 0.3
 end
-""" + WATER % "1" + """
-subsection Solids
-  set Number of solids = 1
-  set Degree           = %d
-  set Newmark gamma    = 0.8
-  subsection Solid 1
-    set Mesh file = shell.msh
-    set Group     = shell
-    set Loaded    = -1, -1 : 1, 1
-    set Traction  = if(x*x+y*y>0.011, -1000*min(1,t/0.05)*x/sqrt(x*x+y*y), 0); \\
-                    if(x*x+y*y>0.011, -1000*min(1,t/0.05)*y/sqrt(x*x+y*y), 0)
-    subsection hypoelastic
-      set Density         = 1100
-      set Young's modulus = 1e6
-      set Poisson's ratio = 0.3
-    end
-  end
-end
+"""}, "set Degree        = %d" % degree, "set Newmark gamma = 0.8") + """
 subsection Postprocess
   subsection Point gauges
     set Points = centre: 0.001, 0.002
@@ -177,7 +160,7 @@ subsection Postprocess
     set Points = outside: 0.11, 0
   end
 end
-""" % degree)
+""")
         ring = grid(lambda s, t: ((0.1 + 0.01 * t) * math.cos(2 * math.pi * s),
                                   (0.1 + 0.01 * t) * math.sin(2 * math.pi * s)), n, 1, closed=True)
         inside = disc(0.1, 10, n)
@@ -202,11 +185,7 @@ set Output directory = out
 set End time         = 0.1
 set Time step        = 5e-3
 set Mesh size        = 0.025
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.5, 0.4; %s, 0 : 1, 0.1
-  set No-slip walls = 0, 0.6 : 0, 0 : 1, 0 : 1, 0.6; %s
-end
-""" + WATER % "1e-3" + """
+""" + fluid("0, 0 : 0.5, 0.4; %s, 0 : 1, 0.1", WATER % "1e-3") + walls("0, 0.6 : 0, 0 : 1, 0 : 1, 0.6; %s") + """
 subsection Postprocess
   subsection Wall forces
     set Boxes = partition: 0.4999, 0.0001 : 0.55, 0.61; whole: 0.4999, -1e-4 : 0.55, 0.61
@@ -237,13 +216,9 @@ set Output directory = out
 set End time         = 0.5
 set Time step        = 1e-3
 set Mesh size        = 0.02
-subsection Geometry
-  set Fluid boxes   = %s
-  set No-slip walls = %s
-end
 """
-    def output(name, boxes, walls, *arguments):
-        directory = new_case(parent, name, base % (boxes, walls))
+    def output(name, boxes, points, *arguments):
+        directory = new_case(parent, name, base + fluid(boxes) + walls(points))
         result = run(directory, "--check", *arguments)
         check(name + ": status 0", result.returncode == 0, result.stderr)
         return result.stdout
@@ -257,27 +232,19 @@ end
     check("  and in the line of --check", "Thinnest part    2.5 mesh sizes" in text, text)
     text = output("gap", "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3; "
                   "0.3, 0.3 : 0.3, 0.03 : 0.35, 0.03 : 0.35, 0.3")
-    check("a narrow gap is reported", "the gap between wall number" in text and "0.03 m, 1.5 mesh sizes" in text, text)
+    check("a narrow gap is reported", "the gap between boundary number" in text and "0.03 m, 1.5 mesh sizes" in text, text)
     text = output("full", "0, 0 : 0.2, 0.2", "0, 0 : 0.2, 0; 0.2, 0 : 0.2, 0.2; 0.2, 0.2 : 0, 0.2; 0, 0.2 : 0, 0")
     check("fluid without a free surface is reported", "no free surface" in text, text)
-    barrier = """subsection Solids
-  set Number of solids = 1
-  set Degree           = %d
-  subsection Solid 1
-    set Box      = 0.3, 0 : 0.31, 0.1
-    set Elements = %d, 20
-    set Clamped  = 0.3, 0 : 0.31, 0
-  end
-end
-"""
     for degree, elements, reported in ((1, 2, True), (1, 4, False), (2, 1, False)):
-        directory = new_case(parent, "barrier_%d_%d" % (degree, elements), base % (
-            "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3") + barrier % (degree, elements))
+        directory = new_case(parent, "barrier_%d_%d" % (degree, elements), base + fluid("0, 0 : 0.2, 0.2") + walls(
+            "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3") + parts("Solids", {"barrier": shape(
+                "box", "Corners = 0.3, 0 : 0.31, 0.1", f"Elements = {elements}, 20") +
+                "set Clamped = 0.3, 0 : 0.31, 0\n"}, f"set Degree = {degree}"))
         result = run(directory, "--check")
         check("a barrier of %d elements of degree %d across" % (elements, degree), result.returncode == 0
               and ("a solid is 0.01 m" in result.stdout) == reported, result.stdout, result.stderr)
-    text = output("round", "0, 0 : 0.2, 0.2", "0, 0 : 0.3, 0", "--set", "Geometry/Fluid boxes=", "--set",
-                  "Geometry/Fluid polygons=0, 0 : 0.02, 0 : 0.021, 0.2 : 0.02, 0.021 : 0.019, 0.2 : 0, 0.02")
+    text = output("round", "0, 0 : 0.2, 0.2", "0, 0 : 0.3, 0", "--set", "Fluids/fluid/Shape=polygon", "--set",
+                  "Fluids/fluid/polygon/Corners=0, 0 : 0.02, 0 : 0.021, 0.2 : 0.02, 0.021 : 0.019, 0.2 : 0, 0.02")
     volumes = re.search(r"the first mesh has (\S+) m\^2 of fluid, and (\S+) m\^2", text)
     check("a mesh that cannot show the shape is reported", volumes and float(volumes[1]) != float(volumes[2]), text)
 
@@ -291,48 +258,41 @@ set Time step        = 1e-3
 set Mesh size        = 0.02
 set Output interval  = 1
 set Gravity          = 0, %s
-subsection Geometry
-  set %s = %s
-end
-subsection Solids
-  set Number of solids = %d
-%s
+"""
+
+    def body(corners, speed="0", clamped=""):
+        return shape("box", "Corners = " + corners) + f"""
+set Initial velocity = {speed}; 0
+set Clamped          = {clamped}
+subsection hypoelastic
+  set Density         = 1200
+  set Young's modulus = 1e6
 end
 """
-    body = """
-  subsection Solid %d
-    set Box              = %s
-    set Initial velocity = %s; 0
-    set Clamped          = %s
-    subsection hypoelastic
-      set Density         = 1200
-      set Young's modulus = 1e6
-    end
-  end
-"""
-    block = body % (1, "-0.05, 0.1 : 0.05, 0.2", "0", "")
-    for kind in ("No-slip walls", "Slip walls"):
-        for name, wall in (("floor", "-0.5, 0 : 0.5, 0"), ("post", "0.001, -1 : 0.001, 0.01"),
-                           ("slope", "-0.5, -0.2 : 0.5, 0.1")):
-            directory = new_case(parent, "block_" + kind[:4].strip() + name,
-                                 base % ("0.4", "-9.81", kind, wall, 1, block))
+
+    block = parts("Solids", {"block": body("-0.05, 0.1 : 0.05, 0.2")})
+    for law in ("no slip", "free slip"):
+        for name, points in (("floor", "-0.5, 0 : 0.5, 0"), ("post", "0.001, -1 : 0.001, 0.01"),
+                             ("slope", "-0.5, -0.2 : 0.5, 0.1")):
+            directory = new_case(parent, "block_%s_%s" % (law, name), base % ("0.4", "-9.81") +
+                                 parts("Boundaries", {name: wall(points, law)}) + block)
             result = run(directory)
-            found = re.search(r"Time (\S+) s: Solid 1 has run into wall number 1 of 'Geometry/%s' at \(\S+ \S+\) m"
-                              % kind, result.stderr)
-            check("a block falls on a %s of %s" % (name, kind), result.returncode == 1 and found, result.stderr)
+            found = re.search(r"Time (\S+) s: solid 'block' has run into boundary '%s' at \(\S+ \S+\) m" % name,
+                              result.stderr)
+            check("a block falls on a %s of %s" % (name, law), result.returncode == 1 and found, result.stderr)
             if found and name != "slope":
                 time = math.sqrt(2 * (0.1 if name == "floor" else 0.09) / 9.81)
                 check("  when it gets there", time < float(found[1]) < time + 6e-3, found[1], time)
     for distance, reached in (("0.2", True), ("0.9", False)):
-        two = body % (1, "0, 0 : 0.1, 0.1", "1", "") + \
-            body % (2, "%s, 0.02 : %g, 0.12" % (distance, float(distance) + 0.1), "-1", "")
-        directory = new_case(parent, "blocks_" + distance,
-                             base % ("0.12", "0", "No-slip walls", "-9, -9 : 9, -9", 2, two))
+        two = parts("Solids", {"left": body("0, 0 : 0.1, 0.1", "1"), "right": body(
+            "%s, 0.02 : %g, 0.12" % (distance, float(distance) + 0.1), "-1")})
+        directory = new_case(parent, "blocks_" + distance, base % ("0.12", "0") + walls("-9, -9 : 9, -9") + two)
         result = run(directory)
-        found = re.search(r"Time (\S+) s: Solid [12] has run into Solid [12] at \((\S+) (\S+)\) m", result.stderr)
+        found = re.search(r"Time (\S+) s: solid '(?:left' has run into solid 'right|right' has run into solid 'left)' "
+                          r"at \((\S+) (\S+)\) m", result.stderr)
         check("blocks %s m apart" % distance, (result.returncode == 1 and found and 0.05 <= float(found[1]) < 0.06)
               if reached else result.returncode == 0, result.stderr)
-    for name, walls, height in [
+    for name, corners, height in [
             ("floor", "-1, -1, 0 : 1, -1, 0 : 1, 1, 0 : -1, 1, 0", 0.1),
             ("blade", "0.003, -1, -1 : 0.003, 1, -1 : 0.003, 1, 0.02 : 0.003, -1, 0.02", 0.08)]:
         directory = new_case(parent, "block_in_space_" + name, """
@@ -342,28 +302,19 @@ set End time         = 0.2
 set Time step        = 2e-3
 set Mesh size        = 0.02
 set Output interval  = 1
-subsection Geometry
-  set No-slip walls = %s
+""" + walls(corners) + parts("Solids", {"block": shape("box", "Corners = -0.04, -0.04, 0.1 : 0.04, 0.04, 0.18") + """
+subsection hypoelastic
+  set Density         = 1200
+  set Young's modulus = 1e6
 end
-subsection Solids
-  set Number of solids = 1
-  subsection Solid 1
-    set Box = -0.04, -0.04, 0.1 : 0.04, 0.04, 0.18
-    subsection hypoelastic
-      set Density         = 1200
-      set Young's modulus = 1e6
-    end
-  end
-end
-""" % walls)
+"""}))
         result = run(directory)
-        found = re.search(r"Time (\S+) s: Solid 1 has run into wall number 1 of 'Geometry/No-slip walls'",
-                          result.stderr)
+        found = re.search(r"Time (\S+) s: solid 'block' has run into boundary 'walls'", result.stderr)
         time = math.sqrt(2 * height / 9.81)
         check("a block falls on a %s in space" % name, result.returncode == 1 and found
               and time < float(found[1]) < time + 1e-2, result.stderr, time)
-    fixed = body % (1, "0, 0 : 0.02, 0.1", "0.5", "0, 0 : 0.02, 0")
-    directory = new_case(parent, "barrier", base % ("0.1", "-9.81", "No-slip walls", "-0.5, 0 : 0.5, 0", 1, fixed))
+    fixed = parts("Solids", {"barrier": body("0, 0 : 0.02, 0.1", "0.5", "0, 0 : 0.02, 0")})
+    directory = new_case(parent, "barrier", base % ("0.1", "-9.81") + walls("-0.5, 0 : 0.5, 0") + fixed)
     result = run(directory)
     check("a barrier that swings on a floor goes on", result.returncode == 0, result.stderr)
 

@@ -4,13 +4,12 @@
 // of wrong groups and of meshes of the other dimension.
 
 #include <lahar/geometry/gmsh_file.h>
-#include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/solid_shape.h>
-#include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/utilities/factory.h>
 
-#include "tests.h"
+#include "initial_case.h"
 
 using namespace Tests;
 
@@ -20,16 +19,9 @@ struct Case
   Walls<3> walls;
   FluidMesh<3> mesh;
 
-  Case(const Entries &entries, const double h)
+  Case(const Parts &parts, const double h)
   {
-    Parameters prm;
-    InitialGeometry<3>::declare_parameters(prm);
-    prm.enter_subsection("Geometry");
-    for (const auto &[entry, value] : entries)
-      prm.set(entry, value);
-    prm.leave_subsection();
-    InitialGeometry<3> geometry;
-    geometry.parse_parameters(prm, false);
+    const InitialGeometry<3> geometry = make_geometry<3>(parts);
     geometry.create(h, SolidContour<3>({}, cloud), cloud, walls);
     Remesher<3> remesher;
     parse(remesher);
@@ -37,9 +29,9 @@ struct Case
   }
 };
 
-void test_fluid(const std::string &name, const Entries &entries, const double h)
+void test_fluid(const std::string &name, const Parts &parts, const double h)
 {
-  const Case c(entries, h);
+  const Case c(parts, h);
   // Tetrahedra with corners on floor and wall only are no fluid: a prism h × h/2 along their edge at most.
   const double missing = 0.3 - c.mesh.volume(c.cloud);
   check(name + ": volume", missing > 0. && missing < 0.5 * h * h * 0.6);
@@ -73,14 +65,15 @@ void test_fluid(const std::string &name, const Entries &entries, const double h)
 void test_solid(const std::string &file)
 {
   Parameters prm;
-  SolidShape<3>::declare_parameters(prm);
-  prm.set("Mesh file", file);
-  prm.set("Group", "block");
-  SolidShape<3> shape;
-  shape.parse_parameters(prm);
+  Factory<SolidShape<3>>::declare_choice(prm, "Shape", "mesh", "");
+  prm.enter_subsection("mesh");
+  for (const auto &[entry, value] : mesh_of(file, "block"))
+    prm.set(entry, value);
+  prm.leave_subsection();
+  const auto shape = Factory<SolidShape<3>>::create_chosen(prm, "Shape");
   std::vector<Point<3>> vertices(1);
   std::vector<CellData<3>> cells;
-  shape.append(0.1, 2, vertices, cells);
+  shape->append(0.1, 2, vertices, cells);
   double volume = 0.;
   bool positive = true;
   for (const CellData<3> &cell : cells)
@@ -95,9 +88,11 @@ void test_solid(const std::string &file)
   check("solid: orientation and number of the body", positive);
 }
 
-void check_error(const std::string &what, const Entries &entries, const std::vector<std::string> &parts)
+void check_error(const std::string &what, const Part &part, const std::vector<std::string> &words)
 {
-  check_throws<InputError>(what, parts, [&]() { Case(entries, 0.2); });
+  check_throws<InputError>(what, words, [&]() {
+    Case(part.kind == "Fluids" ? Parts{part} : Parts{boxes("0, 0, 0 : 1, 1, 1"), part}, 0.2);
+  });
 }
 
 int main()
@@ -105,36 +100,27 @@ int main()
   for (const std::string format : {"22", "41"})
   {
     const std::string file = SOURCE_DIR "/basin_" + format + ".msh";
-    const Entries fluid    = {{"Mesh file", file}, {"Fluid groups", "fluid"}};
-    Entries entries        = fluid;
-    entries.emplace_back("No-slip wall groups", "floor, left wall");
-    test_fluid("gmsh " + format, entries, 0.2);
-    entries.back().second = "walls";
-    test_fluid("gmsh " + format + ", one group of walls", entries, 0.2);
-    entries.back().second = "floor";
-    const Case on_floor(entries, 0.2);
+    const auto fluid       = [&](const std::string &group) { return fluid_of("mesh", mesh_of(file, group)); };
+    const auto walls = [&](const std::string &group) { return boundary_of("mesh", mesh_of(file, group)); };
+    test_fluid("gmsh " + format, {fluid("fluid"), walls("floor, left wall")}, 0.2);
+    test_fluid("gmsh " + format + ", one group of walls", {fluid("fluid"), walls("walls")}, 0.2);
+    const Case on_floor({fluid("fluid"), walls("floor")}, 0.2);
     check("gmsh " + format + ", floor only: volume", on_floor.mesh.volume(on_floor.cloud) - 0.3, 1e-12);
     test_solid(file);
 
-    entries               = fluid;
-    entries.back().second = "water";
-    check_error("unknown volume", entries, {file, "physical volume 'water'", "'block'", "'fluid'"});
-    entries.back().second = "floor";
-    check_error("a surface is no volume", entries, {"physical volume 'floor'", "'fluid'"});
-    entries = fluid;
-    entries.emplace_back("Slip wall groups", "roof");
-    check_error("unknown surface", entries, {file, "physical surface 'roof'", "'left wall'"});
+    check_error("unknown volume", fluid("water"), {file, "physical volume 'water'", "'block'", "'fluid'"});
+    check_error("a surface is no volume", fluid("floor"), {"physical volume 'floor'", "'fluid'"});
+    check_error("unknown surface", walls("roof"), {file, "physical surface 'roof'", "'left wall'"});
     check_throws<InputError>("a mesh in space for the plane", {file + ":", "z = 0", "'Dimension' is 2"},
                              [&]() { GmshFile<2> plane(file); });
     check_error("a plane mesh for space",
-                {{"Mesh file", SOURCE_DIR "/column_" + format + ".msh"}, {"Fluid groups", "fluid"}},
+                fluid_of("mesh", mesh_of(SOURCE_DIR "/column_" + format + ".msh", "fluid")),
                 {"no physical volume 'fluid'", "plane", "'Dimension' is 3"});
   }
   // Triangles far smaller than the mesh size.
   test_fluid("coarse walls",
-             {{"Fluid boxes", "0, 0, 0 : 1, 0.6, 0.5"},
-              {"Mesh file", SOURCE_DIR "/basin_41.msh"},
-              {"No-slip wall groups", "walls"}},
+             {boxes("0, 0, 0 : 1, 0.6, 0.5"),
+              boundary_of("mesh", mesh_of(SOURCE_DIR "/basin_41.msh", "walls"))},
              0.3);
   return n_failed;
 }

@@ -35,10 +35,10 @@ struct Case : InitialCase<2>
   }
 };
 
-void check_error(const std::string &what, const Entries &entries, const std::vector<std::string> &parts,
+void check_error(const std::string &what, const Parts &case_parts, const std::vector<std::string> &parts,
                  const double h = 0.1)
 {
-  check_throws<InputError>(what, parts, [&]() { Case(entries, h); });
+  check_throws<InputError>(what, parts, [&]() { Case(case_parts, h); });
 }
 
 void test_polygons()
@@ -117,8 +117,8 @@ void test_column(const Case &column, const double h)
 /// The first mesh of polygons and boxes is the region that they fill, whatever the mesh size, but for hollow corners.
 void test_shapes()
 {
-  const auto volume = [](const std::string &entry, const std::string &bodies, const double h) {
-    const Case c({{entry, bodies}}, h);
+  const auto volume = [](const Part &fluid, const double h) {
+    const Case c({fluid}, h);
     return c.mesh.volume(c.cloud);
   };
   for (const double h : {0.02, 0.013, 0.01, 0.0071, 0.004})
@@ -136,30 +136,68 @@ void test_shapes()
       const auto x         = [](const double place) { return std::to_string(place); };
       const bool is_narrow = w < 0.5 * h;
       check_volume("slot " + width,
-                   volume("Fluid polygons",
-                          "0, 0 : 0.3, 0 : 0.3, 0.2 : " + x(0.15 + 0.5 * w) + ", 0.2 : " + x(0.15 + 0.5 * w) +
-                            ", 0.05 : " + x(0.15 - 0.5 * w) + ", 0.05 : " + x(0.15 - 0.5 * w) +
-                            ", 0.2 : 0, 0.2",
+                   volume(polygons("0, 0 : 0.3, 0 : 0.3, 0.2 : " + x(0.15 + 0.5 * w) +
+                                   ", 0.2 : " + x(0.15 + 0.5 * w) + ", 0.05 : " + x(0.15 - 0.5 * w) +
+                                   ", 0.05 : " + x(0.15 - 0.5 * w) + ", 0.2 : 0, 0.2"),
                           h),
                    0.06 - 0.15 * w, is_narrow);
       check_volume("boxes apart by " + width,
-                   volume("Fluid boxes",
-                          "0, 0 : 0.1, 0.1; " + x(0.1 + w) + ", 0.03 : " + x(0.2 + w) + ", 0.17", h),
+                   volume(boxes("0, 0 : 0.1, 0.1; " + x(0.1 + w) + ", 0.03 : " + x(0.2 + w) + ", 0.17"), h),
                    0.024, is_narrow);
     }
     check_volume("a notch",
-                 volume("Fluid polygons",
-                        "0, 0 : 0.3, 0 : 0.3, 0.2 : 0.16, 0.2 : 0.15, 0.1 : 0.14, 0.2 : 0, 0.2", h),
+                 volume(polygons("0, 0 : 0.3, 0 : 0.3, 0.2 : 0.16, 0.2 : 0.15, 0.1 : 0.14, 0.2 : 0, 0.2"), h),
                  0.059, true);
     check("boxes that touch in a corner" + size,
-          volume("Fluid boxes", "0, 0 : 0.1, 0.1; 0.1, 0.1 : 0.2, 0.2", h) - 0.02, 1e-12);
+          volume(boxes("0, 0 : 0.1, 0.1; 0.1, 0.1 : 0.2, 0.2"), h) - 0.02, 1e-12);
     check("boxes that touch along a part" + size,
-          volume("Fluid boxes", "0, 0 : 0.1, 0.1; 0.1, 0.043 : 0.2, 0.143", h) - 0.02, 1e-12);
-    check("a wedge" + size, volume("Fluid polygons", "0, 0 : 0.3, 0 : 0.3, 0.04", h) - 0.006, 1e-12);
-    const Case gap({{"Fluid boxes", "0, 0 : 0.1, 0.1"}, {"No-slip walls", "0.104, -0.1 : 0.104, 0.2"}}, h);
+          volume(boxes("0, 0 : 0.1, 0.1; 0.1, 0.043 : 0.2, 0.143"), h) - 0.02, 1e-12);
+    check("a wedge" + size, volume(polygons("0, 0 : 0.3, 0 : 0.3, 0.04"), h) - 0.006, 1e-12);
+    const Case gap({boxes("0, 0 : 0.1, 0.1"), lines("0.104, -0.1 : 0.104, 0.2")}, h);
     check("a wall 4 mm beside the fluid" + size, gap.mesh.volume(gap.cloud) - (h > 0.04 ? 0.0104 : 0.01),
           1e-12);
   }
+}
+
+/// Particles, facets and velocities of two fluids between three boundaries.
+void test_parts()
+{
+  Part left     = fluid_of("box", {{"Corners", "0, 0 : 1, 1"}}, "left"),
+       right    = fluid_of("polygon", {{"Corners", "2, 0 : 3, 0 : 3, 1 : 2, 1"}}, "right");
+  right.further = {{"Initial velocity", "x; -2*y"}};
+  const Case c({left, right, boundary_of("polyline", {{"Points", "0, 0 : 3, 0"}}, "no slip", "floor"),
+                boundary_of("polyline", {{"Points", "0, 0 : 0, 2; 3, 0 : 3, 2"}}, "free slip", "sides"),
+                boundary_of("polyline", {{"Points", "0, 3 : 3, 3"}}, "no slip", "lid")},
+               0.1);
+  bool parts = true, moves = true;
+  for (unsigned int i = 0; i < c.cloud.size(); ++i)
+  {
+    const Point<2> &p = c.cloud.position[i];
+    const bool fluid  = c.cloud.kind[i] == ParticleKind::fluid;
+    parts             = parts && c.cloud.part[i] == (fluid ? (p[0] > 1.5 ? 1U : 0U) : (p[1] > 2. ? 2U : 0U));
+    const Tensor<1, 2> expected = fluid && p[0] > 1.5 ? Tensor<1, 2>({p[0], -2. * p[1]}) : Tensor<1, 2>();
+    moves                       = moves && (c.cloud.velocity[i] - expected).norm() < 1e-12;
+  }
+  check("particles know their part", parts && c.cloud.n_particles(ParticleKind::wall) > 60);
+  check("each fluid has its initial velocity", moves);
+  const auto &facets = c.walls.facets();
+  check("facets know their boundary and its law",
+        facets.size() == 4 && facets[0].boundary == 0 && !facets[0].slip && facets[1].boundary == 1 &&
+          facets[1].slip && facets[2].boundary == 1 && facets[2].slip && facets[3].boundary == 2 &&
+          !facets[3].slip);
+  check("walls know the names of the boundaries",
+        c.walls.boundary_names() == std::vector<std::string>({"floor", "sides", "lid"}));
+  const InitialGeometry<2> geometry = make_geometry<2>(
+    {left, boundary_of("polyline", {{"Points", "0, 0 : 1, 0 : 1, 2"}}, "no slip", "floor"),
+     boundary_of("polyline", {{"Points", "0, 0 : 0, 2; 3, 0 : 3, 2"}}, "free slip", "sides")});
+  check("messages call walls by their boundary", geometry.wall_name(1) == "'floor'" &&
+                                                   geometry.wall_name(2) == "number 1 of 'sides'" &&
+                                                   geometry.wall_name(3) == "number 2 of 'sides'");
+  right.further = {{"Law", "Newtonian"}};
+  check_error("two laws", {left, right}, {"'Fluids/right/Law'", "Newtonian", "one law", "'left'"});
+  right.of_shape = {{"Corners", "0.5, 0 : 3, 0 : 3, 1 : 2, 1"}};
+  right.further  = {};
+  check_error("overlapping fluids", {left, right}, {"Fluid 'left' overlaps fluid 'right'"});
 }
 
 int main(int argc, char **argv)
@@ -167,17 +205,18 @@ int main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_polygons();
   test_shapes();
+  test_parts();
 
   const std::string walls = "0, 0.4 : 0, 0 : 0.5, 0";
-  test_column(Case({{"Fluid boxes", "0, 0 : 0.146, 0.292"}, {"No-slip walls", walls}}, 0.02), 0.02);
-  test_column(Case({{"Fluid boxes", "0.146, 0.292 : 0, 0"}, {"No-slip walls", walls}}, 0.006), 0.006);
+  test_column(Case({boxes("0, 0 : 0.146, 0.292"), lines(walls)}, 0.02), 0.02);
+  test_column(Case({boxes("0.146, 0.292 : 0, 0"), lines(walls)}, 0.006), 0.006);
   for (const std::string format : {"22", "41"})
   {
     const std::string file = SOURCE_DIR "/column_" + format + ".msh";
-    test_column(
-      Case({{"Mesh file", file}, {"Fluid groups", "fluid"}, {"No-slip wall groups", "floor, left wall"}},
-           0.03),
-      0.03);
+    test_column(Case({fluid_of("mesh", mesh_of(file, "fluid")),
+                      boundary_of("mesh", mesh_of(file, "floor, left wall"))},
+                     0.03),
+                0.03);
     const GmshFile<2> mesh(file);
     double length = 0.;
     for (const auto &edge : mesh.facets_of("walls"))
@@ -210,14 +249,14 @@ int main(int argc, char **argv)
     check("gmsh " + format + ": truncated files are refused with file and line", refused);
   }
 
-  const Case slip({{"Fluid polygons", "0, 0 : 1, 0 : 1.3, 0.5 : 1, 1 : 0, 1"},
-                   {"Slip walls", "0, 2 : 0, 0 : 1, 0"}},
+  const Case slip({polygons("0, 0 : 1, 0 : 1.3, 0.5 : 1, 1 : 0, 1"),
+                   lines("0, 2 : 0, 0 : 1, 0", "free slip")},
                   0.1);
   check("slip walls carry no particles", slip.cloud.n_particles(ParticleKind::wall) == 0 &&
                                            slip.walls.facets().size() == 2 && slip.walls.facets()[0].slip);
   check("a polygon is filled", slip.mesh.volume(slip.cloud) - 1.15, 1e-10);
-  const Case step({{"Fluid boxes", "0, 0 : 1, 1; 2, 0 : 2.5, 0.5"},
-                   {"No-slip walls", "0, 0 : 3, 0; 1, 0 : 1.5, 0 : 1.5, 0.5 : 1, 0.5 : 1, 0"}},
+  const Case step({boxes("0, 0 : 1, 1; 2, 0 : 2.5, 0.5"),
+                   lines("0, 0 : 3, 0; 1, 0 : 1.5, 0 : 1.5, 0.5 : 1, 0.5 : 1, 0")},
                   0.1);
   bool inside = false;
   for (const Point<2> &p : step.cloud.position)
@@ -227,8 +266,8 @@ int main(int argc, char **argv)
   check("two bodies", step_error < 1e-10 && step_error > -0.03);
   check("a closed wall is closed", step.walls.facets().size() == 5);
   const std::string open_tank = "0, 2 : 0, 0 : 1.5, 0 : 1.5, 2";
-  const Case in_open_tank({{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", open_tank}}, 0.1);
-  const Case in_tank({{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", open_tank + " : 0, 2"}}, 0.1);
+  const Case in_open_tank({boxes("0, 0 : 1, 1"), lines(open_tank)}, 0.1);
+  const Case in_tank({boxes("0, 0 : 1, 1"), lines(open_tank + " : 0, 2")}, 0.1);
   check("fluid in a closed wall has the volume of that between open ones",
         in_tank.mesh.volume(in_tank.cloud) - in_open_tank.mesh.volume(in_open_tank.cloud), 1e-12);
   unsigned int n_on_lid = 0;
@@ -236,35 +275,34 @@ int main(int argc, char **argv)
     n_on_lid += p[1] > 2. - 1e-12;
   check("a tank has a lid", in_tank.walls.facets().size() == 4 && n_on_lid == 16);
 
-  check_error("no fluid", {{"No-slip walls", walls}},
-              {"Geometry/Fluid boxes", "Geometry/Fluid polygons", "Geometry/Fluid groups"});
-  check_error("body below the mesh size", {{"Fluid boxes", "0, 0 : 1, 0.05"}},
-              {"Mesh size", "0.1", "0.05", "Geometry/Fluid boxes", "Allowed"});
-  check_error("fluid over a wall", {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "0.5, -1 : 0.5, 2"}},
-              {"overlaps wall", "Geometry/No-slip walls", "Geometry/Fluid boxes", "0.5"});
+  check_error("no fluid", {lines(walls)},
+              {"no fluid", "'Fluids' and 'Solids' are empty", "'set Fluids = NAME'"});
+  check_error("body below the mesh size", {boxes("0, 0 : 1, 0.05")},
+              {"Mesh size", "0.1", "0.05", "fluid 'fluid'", "Allowed"});
+  check_error("fluid over a wall", {boxes("0, 0 : 1, 1"), lines("0.5, -1 : 0.5, 2")},
+              {"Fluid 'fluid' overlaps boundary 'walls'", "0.5"});
   check_error("fluid partly inside a closed wall",
-              {{"Fluid boxes", "0, 0 : 1, 1"}, {"No-slip walls", "0, 0 : 0.5, 0 : 0.5, 2 : 0, 2 : 0, 0"}},
-              {"overlaps wall", "0.5"});
+              {boxes("0, 0 : 1, 1"), lines("0, 0 : 0.5, 0 : 0.5, 2 : 0, 2 : 0, 0")},
+              {"overlaps boundary 'walls'", "0.5"});
   check_error("wall inside the fluid",
-              {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0.4, 0.4 : 0.6, 0.6"}},
-              {"overlaps wall", "Geometry/Slip walls"});
-  check_error("overlapping bodies", {{"Fluid boxes", "0, 0 : 1, 1; 0.5, 0.5 : 2, 2"}},
-              {"overlaps fluid body", "number 1", "number 2"});
-  check_error("the same body twice", {{"Fluid boxes", "0, 0 : 1, 1; 0, 0 : 1, 1"}}, {"overlaps fluid body"});
-  check_error("no number", {{"Fluid boxes", "0, 0 : 1, x"}}, {"Geometry/Fluid boxes", "1, x", "x, y : x, y"});
-  check_error("three corners of a box", {{"Fluid boxes", "0, 0 : 1, 1 : 2, 2"}},
-              {"Geometry/Fluid boxes", "two opposite corners"});
-  check_error("bow tie", {{"Fluid polygons", "0, 0 : 1, 1 : 1, 0 : 0, 1"}},
-              {"Geometry/Fluid polygons", "do not meet"});
-  check_error("wall of one point", {{"Fluid boxes", "0, 0 : 1, 1"}, {"Slip walls", "0, 0"}},
-              {"Geometry/Slip walls", "two different points"});
-  check_error("groups without a file", {{"Fluid groups", "fluid"}}, {"Geometry/Mesh file", "gmsh"});
-  check_error("missing file", {{"Mesh file", "missing.msh"}, {"Fluid groups", "fluid"}},
+              {boxes("0, 0 : 1, 1"), lines("0, 0 : 1, 0; 0.4, 0.4 : 0.6, 0.6", "free slip")},
+              {"overlaps boundary number 2 of 'walls'"});
+  check_error("overlapping bodies", {boxes("0, 0 : 1, 1; 0.5, 0.5 : 2, 2")},
+              {"overlaps fluid 'fluid' (number ", "number 1", "number 2"});
+  check_error("the same body twice", {boxes("0, 0 : 1, 1; 0, 0 : 1, 1")}, {"overlaps fluid"});
+  check_error("no number", {boxes("0, 0 : 1, x")}, {"'Fluids/fluid/box/Corners'", "1, x", "x, y : x, y"});
+  check_error("three corners of a box", {boxes("0, 0 : 1, 1 : 2, 2")},
+              {"'Fluids/fluid/box/Corners'", "two opposite corners"});
+  check_error("bow tie", {polygons("0, 0 : 1, 1 : 1, 0 : 0, 1")},
+              {"'Fluids/fluid/polygon/Corners'", "do not meet"});
+  check_error("wall of one point", {boxes("0, 0 : 1, 1"), lines("0, 0", "free slip")},
+              {"'Boundaries/walls/polyline/Points'", "two different points"});
+  check_error("groups without a file", {fluid_of("mesh", mesh_of("", "fluid"))},
+              {"'Fluids/fluid/mesh/File'", "gmsh"});
+  check_error("missing file", {fluid_of("mesh", mesh_of("missing.msh", "fluid"))},
               {"missing.msh", "does not exist"});
-  check_error("directory for a file", {{"Mesh file", "/"}, {"Fluid groups", "fluid"}}, {"'/'", "directory"});
+  check_error("directory for a file", {fluid_of("mesh", mesh_of("/", "fluid"))}, {"'/'", "directory"});
   test_ranks<2>("dam and obstacle",
-                {{"Fluid boxes", "0, 0 : 1, 2"},
-                 {"No-slip walls", "0, 3 : 0, 0 : 4, 0; 2, 0 : 2, 0.5 : 2.2, 0.5 : 2.2, 0"}},
-                0.05);
+                {boxes("0, 0 : 1, 2"), lines("0, 3 : 0, 0 : 4, 0; 2, 0 : 2, 0.5 : 2.2, 0.5 : 2.2, 0")}, 0.05);
   return n_failed > 0;
 }

@@ -10,7 +10,84 @@
 
 namespace Tests
 {
-  /// Particles, walls and first mesh of a geometry, given by the entries of subsection "Geometry".
+  /// A fluid or a boundary of a case.
+  struct Part
+  {
+    std::string kind; ///< "Fluids" or "Boundaries"
+    std::string name;
+    std::string shape;
+    Entries of_shape;     ///< the entries in the subsection of the shape
+    Entries further = {}; ///< those beside it
+  };
+
+  inline Part fluid_of(const std::string &shape, const Entries &of_shape, const std::string &name = "fluid")
+  {
+    return {"Fluids", name, shape, of_shape};
+  }
+
+  inline Part boxes(const std::string &corners)
+  {
+    return fluid_of("box", {{"Corners", corners}});
+  }
+
+  inline Part polygons(const std::string &corners)
+  {
+    return fluid_of("polygon", {{"Corners", corners}});
+  }
+
+  inline Part boundary_of(const std::string &shape, const Entries &of_shape,
+                          const std::string &law = "no slip", const std::string &name = "walls")
+  {
+    return {"Boundaries", name, shape, of_shape, {{"Law", law}}};
+  }
+
+  /// Walls in the plane.
+  inline Part lines(const std::string &points, const std::string &law = "no slip")
+  {
+    return boundary_of("polyline", {{"Points", points}}, law);
+  }
+
+  /// Walls in space.
+  inline Part planes(const std::string &corners, const std::string &law = "no slip")
+  {
+    return boundary_of("polygon", {{"Corners", corners}}, law);
+  }
+
+  /// The shape "mesh" of groups of a gmsh file.
+  inline Entries mesh_of(const std::string &file, const std::string &groups)
+  {
+    return {{"File", file}, {"Groups", groups}};
+  }
+
+  using Parts = std::vector<Part>;
+
+  template <int dim>
+  InitialGeometry<dim> make_geometry(const Parts &parts)
+  {
+    CaseStructure structure;
+    for (const Part &part : parts)
+      (part.kind == "Fluids" ? structure.fluids : structure.boundaries).push_back(part.name);
+    Parameters prm;
+    InitialGeometry<dim>::declare_parameters(prm, structure);
+    for (const Part &part : parts)
+    {
+      prm.enter_subsection(part.kind);
+      prm.enter_subsection(part.name);
+      prm.set("Shape", part.shape);
+      for (const auto &[entry, value] : part.further)
+        prm.set(entry, value);
+      prm.enter_subsection(part.shape);
+      for (const auto &[entry, value] : part.of_shape)
+        prm.set(entry, value);
+      for (unsigned int i = 0; i < 3; ++i)
+        prm.leave_subsection();
+    }
+    InitialGeometry<dim> geometry;
+    geometry.parse_parameters(prm, structure);
+    return geometry;
+  }
+
+  /// Particles, walls and first mesh of a geometry.
   template <int dim>
   struct InitialCase
   {
@@ -18,16 +95,9 @@ namespace Tests
     Walls<dim> walls;
     FluidMesh<dim> mesh;
 
-    InitialCase(const Entries &entries, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
+    InitialCase(const Parts &parts, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
     {
-      Parameters prm;
-      InitialGeometry<dim>::declare_parameters(prm);
-      prm.enter_subsection("Geometry");
-      for (const auto &[entry, value] : entries)
-        prm.set(entry, value);
-      prm.leave_subsection();
-      InitialGeometry<dim> geometry;
-      geometry.parse_parameters(prm, false);
+      const InitialGeometry<dim> geometry = make_geometry<dim>(parts);
       geometry.create(h, SolidContour<dim>({}, cloud), cloud, walls);
       Remesher<dim> remesher;
       parse(remesher);
@@ -40,9 +110,9 @@ namespace Tests
 
   /// Several ranks have the particles, the cells and the volume of one.
   template <int dim>
-  void test_ranks(const std::string &name, const Entries &entries, const double h)
+  void test_ranks(const std::string &name, const Parts &parts, const double h)
   {
-    const InitialCase<dim> whole(entries, h), part(entries, h, MPI_COMM_WORLD);
+    const InitialCase<dim> whole(parts, h), part(parts, h, MPI_COMM_WORLD);
     const auto sum = [](const auto value) { return Utilities::MPI::sum(value, MPI_COMM_WORLD); };
     bool same      = true;
     for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})

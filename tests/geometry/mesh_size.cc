@@ -3,14 +3,12 @@
 // Test the mesh size as a function of the place: its values, its gradient, the spacing that particles get from it, and
 // lines, polygons and bodies in space that are filled with it.
 
-#include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/mesh_size.h>
 #include <lahar/geometry/polygon.h>
 #include <lahar/remeshing/delaunay.h>
-#include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/simplex_geometry.h>
 
-#include "tests.h"
+#include "initial_case.h"
 
 #include <algorithm>
 
@@ -113,16 +111,13 @@ void test_filling()
   check("no edge is below h/2 or above 1.6 h", in_area.front() > 0.5 && in_area.back() < 1.6);
   check("the median edge is h", in_area[in_area.size() / 2] - 1., 0.1);
 
-  const MeshSize<3> h3 = make<3>("0.3, 0, 0 : 0.6, 0.5, 0.2 : 0.03", 0.09);
-  Parameters prm;
-  InitialGeometry<3>::declare_parameters(prm);
-  prm.enter_subsection("Geometry");
-  prm.set("Fluid boxes", "0, 0, 0 : 1, 0.5, 0.5");
-  prm.set("Fluid cones", "0, 0, -2 : 0.5, 0.3, 0.5");
-  prm.set("No-slip walls", "-1, -1, 0 : 2, -1, 0 : 2, 2, 0 : -1, 2, 0");
-  prm.leave_subsection();
-  InitialGeometry<3> geometry;
-  geometry.parse_parameters(prm, false);
+  const MeshSize<3> h3              = make<3>("0.3, 0, 0 : 0.6, 0.5, 0.2 : 0.03", 0.09);
+  const InitialGeometry<3> geometry = make_geometry<3>(
+    {boxes("0, 0, 0 : 1, 0.5, 0.5"),
+     fluid_of("cone",
+              {{"Base", "0, 0, -2"}, {"Base radius", "0.5"}, {"Top radius", "0.3"}, {"Height", "0.5"}},
+              "cone"),
+     planes("-1, -1, 0 : 2, -1, 0 : 2, 2, 0 : -1, 2, 0")});
   ParticleCloud<3> cloud;
   Walls<3> walls;
   geometry.create(h3, SolidContour<3>({}, cloud), cloud, walls);

@@ -20,21 +20,22 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import check, failed  # noqa: E402
+from program_test import check, failed, fluid, parts, section, shape, wall, walls  # noqa: E402
 
 LAHAR, MESH, MESH_IN_SPACE = [os.path.abspath(path) for path in sys.argv[2:5]]
 
-GOOD = """
+TOP = """
 set Output directory = out
 set End time         = 4e-3
 set Time step        = 1e-3
 set Mesh size        = 0.03
 set Output interval  = 2e-3
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.146, 0.292
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
-end
 """
+COLUMN = fluid("0, 0 : 0.146, 0.292")
+GOOD = TOP + COLUMN + walls("0, 0.4 : 0, 0 : 0.5, 0")
+
+# What the entries of fluid and walls begin with.
+FLUID, WALLS = "Fluids/fluid/", "Boundaries/walls/"
 
 COLUMNS = ["Time step number", "Time (s)", "Time step size (s)", "Nonlinear iterations", "Velocity increment",
            "Pressure increment", "Linear iterations", "Held vertices", "Fluid cells", "Solid cells", "Fluid particles",
@@ -46,7 +47,7 @@ FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Aborti
 
 def run(directory, *arguments, text=GOOD):
     if text is not None:
-        with open(os.path.join(directory, "case.prm"), "w") as file:
+        with open(os.path.join(directory, "case.prm"), "w", encoding="utf-8") as file:
             file.write(text)
     environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
     try:
@@ -83,31 +84,37 @@ def wrong(entry, value, *parts, more=()):
 
 
 def test_refused():
-    in_space = GOOD.replace("0, 0 : 0.146, 0.292", "").replace("0, 0.4 : 0, 0 : 0.5, 0", "")
-    for cone in ["0, 0, 0 : 0.035, 0.05, 0.05", "0, 0, 0 : 0.05, -0.01, 0.05", "0, 0, 0 : 0.05, 0.03", "0, 0 : 0.05, 0.03, 0.1"]:
-        refused("cone " + cone, ["'Geometry/Fluid cones'", cone, "llowed"], "--set", "Dimension=3",
-                *set_entry("Geometry/Fluid cones", cone), text=in_space)
-    for cylinder in ["0, 0, 0 : 0, 0, 0 : 0.1", "0, 0, 0 : 0, 0, 1 : -0.1", "0, 0, 0 : 0, 0, 1", "0, 0 : 0, 1 : 0.1"]:
-        refused("cylinder " + cylinder, ["'Geometry/Fluid cylinders'", cylinder, "llowed"], "--set", "Dimension=3",
-                *set_entry("Geometry/Fluid cylinders", cylinder), text=in_space)
+    in_space = TOP + "set Dimension = 3\n" + fluid("0, 0, 0 : 1, 1, 1")
+    cone = {"Base": "0, 0, 0", "Base radius": "0.05", "Top radius": "0.03", "Height": "0.1"}
+    cylinder = {"Ends": "0, 0, 0 : 0, 0, 1", "Radius": "0.1"}
+    for kind, good, bad in [("cone", cone, [("Top radius", "0.06"), ("Top radius", "-0.01"), ("Height", "0"),
+                                            ("Base radius", "0"), ("Base", "0, 0")]),
+                            ("cylinder", cylinder, [("Ends", "0, 0, 0 : 0, 0, 0"), ("Ends", "0, 0 : 0, 1"),
+                                                    ("Ends", "0, 0, 0"), ("Radius", "-0.1"), ("Radius", "")])]:
+        for entry, value in bad:
+            refused("%s, %s = %s" % (kind, entry, value), ["'%s%s/%s'" % (FLUID, kind, entry), value, "llowed"],
+                    *set_entry(FLUID + "Shape", kind), *(word for item in dict(good, **{entry: value}).items()
+                                                         for word in set_entry(FLUID + kind + "/" + item[0], item[1])),
+                    text=in_space)
 
-    def mesh_in_space(file, entry, group):
-        return ["--set", "Dimension=3", *set_entry("Geometry/Mesh file", file), *set_entry("Geometry/" + entry, group)]
+    def mesh(part, file, groups):
+        """Settings for the shape of a part."""
+        return [*set_entry(part + "Shape", "mesh"), *set_entry(part + "mesh/File", file),
+                *set_entry(part + "mesh/Groups", groups)]
 
+    tank = in_space + walls("0, 0, 0 : 1, 0, 0 : 1, 1, 0")
     refused("a mesh of the plane in space", [MESH, "physical volume 'fluid'", "plane", "'Dimension' is 3"],
-            *mesh_in_space(MESH, "Fluid groups", "fluid"), text=in_space)
+            *mesh(FLUID, MESH, "fluid"), text=in_space)
     refused("unknown fluid volume", [MESH_IN_SPACE, "'water'", "'fluid'", "'block'"],
-            *mesh_in_space(MESH_IN_SPACE, "Fluid groups", "water"), text=in_space)
+            *mesh(FLUID, MESH_IN_SPACE, "water"), text=in_space)
     refused("unknown wall surface", [MESH_IN_SPACE, "'roof'", "'floor'", "'left wall'"],
-            *mesh_in_space(MESH_IN_SPACE, "No-slip wall groups", "roof"), text=in_space)
-    refused("groups without a file in space", ["'Geometry/Mesh file'", "groups", "llowed"],
-            *mesh_in_space("", "Fluid groups", "fluid"), text=in_space)
+            *mesh(WALLS, MESH_IN_SPACE, "roof"), text=tank)
+    refused("groups without a file in space", ["'Fluids/fluid/mesh/File'", "gmsh", "llowed"],
+            *mesh(FLUID, "", "fluid"), text=in_space)
     refused("unknown group of a solid in space", [MESH_IN_SPACE, "physical volume 'wood'", "'block'"],
-            "--set", "Dimension=3", *set_entry("Solids/Number of solids", "1"),
-            *set_entry("Solids/Solid 1/Mesh file", MESH_IN_SPACE), *set_entry("Solids/Solid 1/Group", "wood"),
-            *set_entry("Geometry/Fluid boxes", "0, 0, 0 : 1, 1, 1"), text=in_space)
+            "--set", "Solids=block", *mesh("Solids/block/", MESH_IN_SPACE, "wood"), text=in_space)
     refused("a mesh in space in the plane", [MESH_IN_SPACE + ":", "z = 0", "'Dimension' is 2"],
-            *set_entry("Geometry/Mesh file", MESH_IN_SPACE), *set_entry("Geometry/Fluid groups", "fluid"))
+            *mesh(FLUID, MESH_IN_SPACE, "fluid"))
 
     wrong("Postprocess/Fluid extents/Boxes", "tip: 0, 0 : 1, 1", "Extents", "tip")
     wrong("Postprocess/Fluid extents/Boxes", "front: 0, 0", "x, y : x, y")
@@ -120,11 +127,12 @@ def test_refused():
                          ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1"), ("Remeshing/Refined boxes", "0, 0 : 0.1, 0.1 : 1"), ("Remeshing/Refined boxes", "0, 0 : 0, 0.1 : 1e-3"),
                          ("Checkpoint/Steps between", "0.5"), ("Checkpoint/Minutes between", "-1"),
                          ("Output interval", "-1"), ("Gravity", "0"), ("Gravity", "0, down"), ("Gravity", "0, 0, -9.81"),
-                         ("Initial velocity", "1"), ("Initial velocity", "1; q"), ("Initial velocity", "1; (x"),
-                         ("Fluid/Bingham/Density", "-1000"), ("Fluid/Bingham/Density", "0"),
-                         ("Fluid/Bingham/Plastic viscosity", "-1"), ("Fluid/Bingham/Plastic viscosity", "thick"),
-                         ("Fluid/Bingham/Yield stress", "-1"), ("Fluid/Bingham/Regularization parameter", "0"),
-                         ("Fluid/Bingham/Bulk modulus", "-1"), ("Fluid/Bingham/Bulk modulus", "soft"),
+                         (FLUID + "Initial velocity", "1"), (FLUID + "Initial velocity", "1; q"),
+                         (FLUID + "Initial velocity", "1; (x"),
+                         (FLUID + "Bingham/Density", "-1000"), (FLUID + "Bingham/Density", "0"),
+                         (FLUID + "Bingham/Plastic viscosity", "-1"), (FLUID + "Bingham/Plastic viscosity", "thick"),
+                         (FLUID + "Bingham/Yield stress", "-1"), (FLUID + "Bingham/Regularization parameter", "0"),
+                         (FLUID + "Bingham/Bulk modulus", "-1"), (FLUID + "Bingham/Bulk modulus", "soft"),
                          ("Remeshing/Alpha shape/Alpha", "0.9"), ("Remeshing/Alpha shape/Alpha", "1,25"),
                          ("Remeshing/Alpha shape/Alpha inside", "1"), ("Remeshing/Particle spacing/Shortest edge", "1"),
                          ("Nonlinear solver/Tolerance", "0"), ("Nonlinear solver/Maximum iterations", "0"),
@@ -133,11 +141,14 @@ def test_refused():
     wrong("Time step", "1e-13", "1e-12", "End time", more=set_entry("End time", "1"))
     wrong("Minimum time step", "1e-30", "1e-14")
     wrong("Output interval", "1e-20", "1e-9")
-    wrong("Initial velocity", "1 / (x - x); 0", "finite")
+    wrong(FLUID + "Initial velocity", "1 / (x - x); 0", "finite")
     wrong("End time", "1", "Start time", more=set_entry("Start time", "2"))
 
     # A misspelt model: the valid names are listed.
-    wrong("Fluid/Law", "Binghamm", "Bingham", "Newtonian")
+    wrong(FLUID + "Law", "Binghamm", "Bingham", "Newtonian")
+    wrong(FLUID + "Shape", "sphere", "box", "mesh", "polygon")
+    wrong(WALLS + "Shape", "plane", "mesh", "polyline")
+    wrong(WALLS + "Law", "slip", "free slip", "no slip")
     wrong("Nonlinear solver/Scheme", "coupling", "coupled", "segregated")
     wrong("Nonlinear solver/Viscosity linearization", "quasi", "picard", "newton", "primal-dual")
     wrong("Stabilization/Form", "fic", "FIC", "residual")
@@ -150,77 +161,93 @@ def test_refused():
     wrong("Linear solver/Iterative/Maximum iterations", "0")
     wrong("Time integration", "RK4", "Newmark", "backward Euler")
 
-    # Geometry.
-    wrong("Geometry/Fluid boxes", "0, 0 : 1, one", "x, y : x, y")
-    wrong("Geometry/Fluid boxes", "0, 0 : 1", "x, y : x, y")
-    wrong("Geometry/Fluid boxes", "0, 0 : 0, 1", "opposite corners")
-    wrong("Geometry/Fluid polygons", "0, 0 : 1, 1 : 1, 0 : 0, 1", "three corners")
-    wrong("Geometry/No-slip walls", "0, 0", "two different points")
-    refused("empty fluid", ["Geometry/Fluid boxes", "empty"], *set_entry("Geometry/Fluid boxes", ""))
+    # Fluids and boundaries.
+    corners, points = FLUID + "box/Corners", WALLS + "polyline/Points"
+    wrong(corners, "0, 0 : 1, one", "x, y : x, y")
+    wrong(corners, "0, 0 : 1", "x, y : x, y")
+    wrong(corners, "0, 0 : 0, 1", "opposite corners")
+    wrong(corners, "", "opposite corners")
+    wrong(FLUID + "polygon/Corners", "0, 0 : 1, 1 : 1, 0 : 0, 1", "three corners", more=set_entry(FLUID + "Shape", "polygon"))
+    wrong(FLUID + "polygon/Corners", "", "three corners", more=set_entry(FLUID + "Shape", "polygon"))
+    wrong(points, "0, 0", "two different points")
+    wrong(points, "", "two different points")
+    for entry, value in [("convex", "0, 0, 0 : 1, 0, 0 : 0, 1, 0 : 1, 1, 0"), ("convex", "")]:
+        refused("%s = %s" % (entry, value), ["'%s%s/Corners'" % (FLUID, entry), value, "llowed"], *set_entry(
+            FLUID + "Shape", entry), *set_entry(FLUID + entry + "/Corners", value), text=in_space)
+    for value in ("0, 0, 0 : 1, 0, 0", "0, 0, 0 : 1, 0, 0 : 1, 1, 0 : 0, 1, 0.1", ""):
+        refused("polygon " + value, ["'%spolygon/Corners'" % WALLS, value, "llowed"],
+                *set_entry(WALLS + "polygon/Corners", value), text=tank)
+    refused("no fluid and no solid", ["'Fluids' and 'Solids' are empty", "Allowed", "'set Fluids = NAME'"], text=TOP)
     refused("mesh size above the body", ["'Mesh size'", "0.2", "0.146", "Allowed"], *set_entry("Mesh size", "0.2"))
-    refused("fluid over a wall", ["overlap", "Geometry/No-slip walls", "Geometry/Fluid boxes"],
-            *set_entry("Geometry/No-slip walls", "0.05, -1 : 0.05, 1"))
-    refused("overlapping bodies", ["overlap", "Geometry/Fluid boxes"],
-            *set_entry("Geometry/Fluid boxes", "0, 0 : 0.2, 0.2; 0.1, 0.1 : 0.3, 0.3"))
-    refused("missing gmsh file", ["nowhere.msh", "does not exist"], *set_entry("Geometry/Mesh file", "nowhere.msh"))
-    refused("unknown gmsh group", ["'roof'", "'floor'", "'left wall'"], *set_entry("Geometry/Mesh file", MESH),
-            *set_entry("Geometry/No-slip wall groups", "roof"))
-    refused("unknown fluid group", ["'water'", "'fluid'"], *set_entry("Geometry/Mesh file", MESH),
-            *set_entry("Geometry/Fluid groups", "water"))
-    wrong("Geometry/Mesh file", "", "groups", more=set_entry("Geometry/Fluid groups", "fluid"))
-    refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *set_entry("Geometry/Mesh file", "case.prm"))
+    refused("fluid over a wall", ["Fluid 'fluid' overlaps boundary 'walls' at"], *set_entry(points, "0.05, -1 : 0.05, 1"))
+    refused("fluid over the second wall", ["Fluid 'fluid' overlaps boundary number 2 of 'walls' at"],
+            *set_entry(points, "0, 0.4 : 0, 0 : 0.5, 0; 0.05, -1 : 0.05, 1"))
+    refused("overlapping bodies", ["Fluid 'fluid' (number ", "overlaps fluid 'fluid' (number "],
+            *set_entry(corners, "0, 0 : 0.2, 0.2; 0.1, 0.1 : 0.3, 0.3"))
+    refused("missing gmsh file", ["nowhere.msh", "does not exist"], *mesh(FLUID, "nowhere.msh", "fluid"))
+    refused("unknown gmsh group", ["'roof'", "'floor'", "'left wall'"], *mesh(WALLS, MESH, "roof"))
+    refused("unknown fluid group", ["'water'", "'fluid'"], *mesh(FLUID, MESH, "water"))
+    refused("groups without a file", ["'Fluids/fluid/mesh/File'", "gmsh", "llowed"], *mesh(FLUID, "", "fluid"))
+    refused("a file without groups", ["'Boundaries/walls/mesh/Groups'", "physical groups", "llowed"], *mesh(WALLS, MESH, ""))
+    refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *mesh(FLUID, "case.prm", "fluid"))
 
     # What would need too much memory.
-    refused("too many particles", ["'Mesh size'", "1e-09", "'Geometry/Fluid boxes'", "Largest number of particles", "10000000"],
+    refused("too many particles", ["'Mesh size'", "1e-09", "fluid 'fluid'", "Largest number of particles", "10000000"],
             *set_entry("Mesh size", "1e-9"))
-    refused("walls of too many particles", ["'Mesh size'", "'Geometry/No-slip walls'", "Largest number of particles"],
-            *set_entry("Geometry/No-slip walls", "0, 0.4 : 0, 0 : 1e30, 0"))
-    refused("more particles than set", ["'Mesh size'", "'Geometry/Fluid boxes'", "which is 10,"],
-            *set_entry("Geometry/Largest number of particles", "10"))
-    wrong("Geometry/Largest number of particles", "1e9")
-    refused("too many particles in space", ["'Mesh size'", "'Geometry/Fluid boxes'", "Largest number of particles"], "--set",
-            "Dimension=3", *set_entry("Geometry/Fluid boxes", "0, 0, 0 : 1, 1, 1"), *set_entry("Mesh size", "1e-3"), text=in_space)
-    refused("a polyhedron of too many corners", ["'Geometry/Fluid polyhedra'", "at most 100"], "--set", "Dimension=3",
-            *set_entry("Geometry/Fluid polyhedra", " : ".join("%d, %d, %d" % (i, i * i, i**3) for i in range(101))), text=in_space)
+    refused("walls of too many particles", ["'Mesh size'", "boundary 'walls'", "Largest number of particles"],
+            *set_entry(points, "0, 0.4 : 0, 0 : 1e30, 0"))
+    refused("more particles than set", ["'Mesh size'", "fluid 'fluid'", "which is 10,"],
+            *set_entry("Largest number of particles", "10"))
+    wrong("Largest number of particles", "1e9")
+    refused("too many particles in space", ["'Mesh size'", "fluid 'fluid'", "Largest number of particles"],
+            *set_entry("Mesh size", "1e-3"), text=in_space)
+    refused("a polyhedron of too many corners", ["'Fluids/fluid/convex/Corners'", "at most 100"],
+            *set_entry(FLUID + "Shape", "convex"), *set_entry(FLUID + "convex/Corners", " : ".join("%d, %d, %d" % (i, i * i, i**3) for i in range(101))), text=in_space)
 
     # Solids.
-    def solid(*settings):
-        return [word for setting in ("Number of solids=1", *settings)
-                for word in ("--set", "Solids/" + setting.replace("S/", "Solid 1/"))]
+    def solid(corners, *settings):
+        """Settings for a case with a solid 'beam'; its own begin with S/."""
+        return [word for setting in ("Solids=beam", "S/Shape=box", "S/box/Corners=" + corners, *settings)
+                for word in ("--set", setting.replace("S/", "Solids/beam/"))]
 
-    box = "S/Box=0.2, 0 : 0.25, 0.1"
-    wrong("Solids/Number of solids", "101")
+    beside = "0.2, 0 : 0.25, 0.1"
     wrong("Solids/Degree", "3")
-    wrong("Solids/Solid 1/hypoelastic/Poisson's ratio", "0.5", "below 0.5", more=solid(box))
-    wrong("Solids/Solid 1/hypoelastic/Young's modulus", "-1", more=solid(box))
-    wrong("Solids/Solid 1/Law", "rubber", "hypoelastic", "neo-Hookean", more=solid(box))
-    wrong("Solids/Solid 1/Elements", "2, 0", "2 whole numbers", more=solid(box))
-    wrong("Solids/Solid 1/Clamped", "1, 1 : 1, 2", "no part of the contour", more=solid(box))
-    wrong("Solids/Solid 1/Traction", "1", "functions", more=solid(box))
-    refused("a solid of too many nodes", ["Solid 1", "Solids/Largest number of nodes", "1000000", "Elements"],
-            *solid(box, "S/Elements=10000, 10000"))
-    refused("solid without a shape", ["Solids/Solid 1/Box", "Solids/Solid 1/Mesh file", "empty"], *solid())
-    refused("solid over the fluid", ["Geometry/Fluid boxes", "overlaps a solid"],
-            *solid("S/Box=0.1, 0 : 0.25, 0.1"))
-    refused("fluid over a whole solid", ["overlaps a solid"], *solid("S/Box=0.05, 0.05 : 0.1, 0.1"))
-    refused("wall through a solid", ["Geometry/No-slip walls", "overlaps a solid"], *solid("S/Box=0.2, -0.1 : 0.25, 0.1"))
-    refused("solids that touch", ["Solid 1 touches Solid 2", "Allowed"], "--set", "Solids/Number of solids=2", "--set",
-            "Solids/Solid 1/Box=0.2, 0 : 0.25, 0.1", "--set", "Solids/Solid 2/Box=0.25, 0 : 0.3, 0.1")
-    refused("missing mesh of a solid", ["nowhere.msh"], *solid("S/Mesh file=nowhere.msh"))
-    refused("unknown group of a solid", ["'wood'", "'fluid'"], *solid("S/Mesh file=" + MESH, "S/Group=wood"))
-    refused("gauge outside the solids", ["Postprocess/Solid points/Points", "tip", "Allowed"], *solid(box), "--set",
+    wrong("Solids/beam/hypoelastic/Poisson's ratio", "0.5", "below 0.5", more=solid(beside))
+    wrong("Solids/beam/hypoelastic/Young's modulus", "-1", more=solid(beside))
+    wrong("Solids/beam/Law", "rubber", "hypoelastic", "neo-Hookean", more=solid(beside))
+    wrong("Solids/beam/Shape", "ball", "box", "mesh", more=solid(beside))
+    wrong("Solids/beam/box/Elements", "2, 0", "2 whole numbers", more=solid(beside))
+    wrong("Solids/beam/box/Corners", "0, 0 : 0, 1", "differ in every coordinate", more=solid(beside))
+    wrong("Solids/beam/Clamped", "1, 1 : 1, 2", "no part of the contour of solid 'beam'", more=solid(beside))
+    wrong("Solids/beam/Traction", "1", "functions", more=solid(beside))
+    refused("a solid of too many nodes", ["'beam'", "Solids/Largest number of nodes", "1000000", "Elements"],
+            *solid(beside, "S/box/Elements=10000, 10000"))
+    refused("solid without corners", ["'Solids/beam/box/Corners'", "''", "llowed"], *solid(""))
+    refused("solid over the fluid", ["Fluid 'fluid' overlaps a solid"], *solid("0.1, 0 : 0.25, 0.1"))
+    refused("fluid over a whole solid", ["Fluid 'fluid' overlaps a solid"], *solid("0.05, 0.05 : 0.1, 0.1"))
+    refused("wall through a solid", ["Boundary 'walls' overlaps a solid"], *solid("0.2, -0.1 : 0.25, 0.1"))
+    refused("solids that touch", ["Solid 'left' touches solid 'right'", "Allowed"], text=GOOD + parts("Solids", {
+        "left": shape("box", "Corners = 0.2, 0 : 0.25, 0.1"), "right": shape("box", "Corners = 0.25, 0 : 0.3, 0.1")}))
+    refused("missing mesh of a solid", ["nowhere.msh"], "--set", "Solids=beam", *mesh("Solids/beam/", "nowhere.msh", "fluid"))
+    refused("unknown group of a solid", ["'wood'", "'fluid'"], "--set", "Solids=beam", *mesh("Solids/beam/", MESH, "wood"))
+    refused("a solid of two groups", ["'Solids/beam/mesh/Groups'", "left, right", "one group"], "--set", "Solids=beam",
+            *mesh("Solids/beam/", MESH, "left, right"))
+    refused("gauge outside the solids", ["Postprocess/Solid points/Points", "tip", "Allowed"], *solid(beside), "--set",
             "Postprocess/Solid points/Points=tip: 0.5, 0.5")
+
+    test_names()
+    test_old_entries()
 
     # The parameter file.
     refused("unknown entry", ["case.prm", "Density of states"], text=GOOD + "set Density of states = 1\n")
-    refused("unknown subsection", ["case.prm", "Fluids"], text=GOOD + "subsection Fluids\nend\n")
-    refused("open subsection", ["case.prm"], text=GOOD + "subsection Fluid\n")
+    refused("unknown subsection", ["case.prm", "Liquids"], text=GOOD + "subsection Liquids\nend\n")
+    refused("open subsection", ["case.prm"], text=GOOD + "subsection Fluids\n")
     refused("a line of nonsense", ["case.prm", "density 1000"], text=GOOD + "density 1000\n")
-    refused("a wrong value in the file", ["'Fluid/Bingham/Density'", "heavy", "llowed"],
-            text=GOOD + "subsection Fluid\nsubsection Bingham\nset Density = heavy\nend\nend\n")
+    refused("a wrong value in the file", ["'Fluids/fluid/Bingham/Density'", "heavy", "llowed"],
+            text=GOOD + section("Fluids", section("fluid", section("Bingham", "set Density = heavy"))))
     refused("a file that includes itself", ["include each other", "llowed"], text=GOOD + "include case.prm\n")
     refused("a long line of nonsense", ["case.prm", "xxx", "..."], text=GOOD + 10000 * "x" + "\n")
-    refused("empty parameter file", ["Geometry/Fluid boxes"], text="")
+    refused("empty parameter file", ["no fluid", "'Fluids' and 'Solids' are empty"], text="")
     refused("missing parameter file", ["missing.prm"], text=None, case="missing.prm")
     refused("a directory as parameter file", ["'.'"], text=None, case=".")
     if os.geteuid() != 0:
@@ -234,7 +261,8 @@ def test_refused():
     refused("no case", ["--help"], case=None)
     refused("two cases", ["2", "--help"], "other.prm")
     refused("unknown option", ["--fast"], "--fast")
-    refused("--set of an unknown entry", ["Fluid/Densities", "--print-parameters"], *set_entry("Fluid/Densities", "1"))
+    refused("--set of an unknown entry", ["Fluids/fluid/Densities", "--print-parameters"],
+            *set_entry("Fluids/fluid/Densities", "1"))
     refused("--set in an unknown subsection", ["Liquid/Density"], *set_entry("Liquid/Density", "1"))
     refused("--set without a value", ["Time step", "Section/Subsection/Entry=value"], "--set", "Time step")
     refused("--set of nothing", ["Section/Subsection/Entry=value"], "--set", "=1")
@@ -244,6 +272,113 @@ def test_refused():
     # A path below a regular file cannot be created, whoever asks.
     wrong("Output directory", "case.prm/out")
     wrong("Output directory", "")
+
+
+def test_names():
+    """The names of a case's parts."""
+    again = section("Fluids", section("fluid", shape("box", "Corners = 0.2, 0 : 0.3, 0.1")))
+    n_lines = GOOD.count("\n")
+    for kind in ("Fluids", "Boundaries", "Solids"):
+        refused("a name twice in " + kind, ["case.prm:%d: '%s' has the name 'a' twice" % (n_lines + 1, kind), "Allowed"],
+                text=GOOD + "set %s = a, b, a\n" % kind)
+        for name in ("a/b", "a:b", "a;b", "a'b", "a=b"):
+            refused("the name %s in %s" % (name, kind), ["case.prm:%d: '%s' has the name" % (n_lines + 1, kind),
+                                                         name[0] + name[1], "Allowed: names of letters, digits"],
+                    text=GOOD + "set %s = a, %s\n" % (kind, name))
+        refused("an empty name in " + kind, ["'%s' has the name ''" % kind, "Allowed"], *set_entry(kind, "a, , b"))
+        refused("a long name in " + kind, ["'%s' has the name" % kind, "at most 60 long"], *set_entry(kind, 61 * "a"))
+        refused("a name that is not in " + kind, ["case.prm:%d: there is no subsection '%s/other'" % (n_lines + 2, kind),
+                                                  "'other' is not in 'set %s = " % kind, "Allowed"],
+                text=GOOD + section(kind, section("other", "set Shape = box")))
+        refused("an entry of a name that is not in " + kind, ["--set: there is no entry '%s/other/Shape'" % kind,
+                                                              "'other' is not in 'set %s = " % kind, "Allowed"],
+                *set_entry(kind + "/other/Shape", "box"))
+        refused("a part without a shape in " + kind, ["'%s/part/Shape'" % kind, "''", "Allowed: ", "mesh"],
+                text=TOP + COLUMN + parts(kind, {"part": ""}) if kind != "Fluids" else TOP + parts(kind, {"part": ""}))
+        refused("a part without its subsection in " + kind, ["'%s/part/Shape'" % kind, "''", "Allowed: ", "mesh"],
+                text=(TOP + COLUMN if kind != "Fluids" else TOP) + "set %s = part\n" % kind)
+    refused("a name of the list that was there before", ["'Fluids/fluid'", "'set Fluids = water'"],
+            text=TOP + COLUMN + "set Fluids = water\n")
+    refused("a solid with the name of an entry", ["'Solids'", "'Degree'", "entry", "Allowed: another name"],
+            text=TOP + parts("Solids", {"Degree": shape("box", "Corners = 0, 0 : 1, 1")}))
+
+    def two_fluids(*entries):
+        """Two columns whose second one has the entries."""
+        return TOP + parts("Fluids", {"left": shape("box", "Corners = 0, 0 : 0.1, 0.1"),
+                                      "right": shape("box", "Corners = 0.3, 0 : 0.4, 0.1") + "\n".join(entries)})
+
+    refused("fluids of different laws", ["'Fluids/right/Law'", "Newtonian", "one law", "'left'"],
+            text=two_fluids("set Law = Newtonian"))
+    refused("fluids of one law with different entries", ["'Fluids/right/Law'", "one law", "'Bingham/Density'", "'left'"],
+            text=two_fluids(section("Bingham", "set Density = 900")))
+    refused("fluids that overlap", ["Fluid 'a' overlaps fluid 'b' at"], text=TOP + parts("Fluids", {
+        "a": shape("box", "Corners = 0, 0 : 0.2, 0.2"), "b": shape("box", "Corners = 0.1, 0.1 : 0.3, 0.3")}))
+    refused("fluid over one of two boundaries", ["Fluid 'fluid' overlaps boundary 'gate' at"], text=TOP + COLUMN + parts(
+        "Boundaries", {"floor": wall("0, 0 : 1, 0"), "gate": wall("0.05, 0 : 0.05, 0.3", "free slip")}))
+    with tempfile.TemporaryDirectory() as directory:
+        text = two_fluids("set Initial velocity = 1; 0", section("Newtonian", "set Density = 900")) + again.replace(
+            "fluid", "left")
+        result = run(directory, "case.prm", "--check", text=text)
+        check("fluids of one law are taken, whatever another law's entries are", result.returncode == 0, result.stderr)
+        result = run(directory, "case.prm", "--check", text=TOP + parts("Fluids", {
+            "Wasser 2.0_a-b": shape("box", "Corners = 0, 0 : 0.1, 0.1"), "Öl": shape("box", "Corners = 1, 0 : 2, 1")}))
+        check("names of letters, digits, blanks and -_. are taken", result.returncode == 0, result.stderr)
+
+
+# Entries of the first version, and what the message on each says among other things.
+OLD = [("Geometry/Fluid boxes", "'Fluids/NAME/box/Corners'"), ("Geometry/Fluid polygons", "'Fluids/NAME/polygon/Corners'"),
+       ("Geometry/Fluid polyhedra", "'Fluids/NAME/convex/Corners'"), ("Geometry/Fluid cones", "'Fluids/NAME/cone/Base'"),
+       ("Geometry/Fluid cylinders", "'Fluids/NAME/cylinder/Ends'"), ("Geometry/Fluid groups", "'Fluids/NAME/mesh/Groups'"),
+       ("Geometry/No-slip walls", "'Boundaries/NAME/polyline/Points'"),
+       ("Geometry/Slip walls", "'Boundaries/NAME/polyline/Points'"),
+       ("Geometry/No-slip wall groups", "'Boundaries/NAME/mesh/Groups'"),
+       ("Geometry/Slip wall groups", "'Boundaries/NAME/mesh/Groups'"), ("Geometry/Mesh file", "'mesh/File'"),
+       ("Geometry/Mesh scale", "'mesh/Scale'"), ("Geometry/Largest number of particles", "'Largest number of particles'"),
+       ("Initial velocity", "'Fluids/NAME/Initial velocity'"), ("Fluid/Law", "'Fluids/NAME/Law'"),
+       ("Fluid/Bingham/Yield stress", "'Fluids/NAME/Bingham/Yield stress'"),
+       ("Fluid/Newtonian/Viscosity", "'Fluids/NAME/Newtonian/Viscosity'"), ("Solids/Number of solids", "'set Solids = NAME"),
+       ("Solids/Solid 1/Box", "'Solids/NAME/box/Corners'"), ("Solids/Solid 1/Elements", "'Solids/NAME/box/Elements'"),
+       ("Solids/Solid 2/Mesh file", "'Solids/NAME/mesh/File'"), ("Solids/Solid 2/Mesh scale", "'Solids/NAME/mesh/Scale'"),
+       ("Solids/Solid 12/Group", "'Solids/NAME/mesh/Groups'"), ("Solids/Solid 1/Clamped", "'Solids/NAME/Clamped'"),
+       ("Solids/Solid 1/hypoelastic/Density", "'Solids/NAME/hypoelastic/Density'")]
+
+
+def test_old_entries():
+    for entry, now in OLD:
+        refused("the old entry " + entry, ["--set: there is no entry '%s' any more. Allowed: " % entry, now, "convert-case"],
+                *set_entry(entry, "1"))
+    for subsection in ("Geometry", "Fluid", "Solids/Solid 1"):
+        text = "x"
+        for name in reversed(subsection.split("/")):
+            text = section(name, "" if text == "x" else text)
+        refused("the old subsection " + subsection, ["there is no subsection '%s' any more. Allowed: " % subsection,
+                                                     "convert-case"], text=GOOD + text)
+    for law in ("no slip", "free slip"):
+        old = ("No-slip walls", "Slip walls")[law == "free slip"]
+        refused("the law that says what %s were" % old, ["'/Law = %s'" % law], *set_entry("Geometry/" + old, "0, 0 : 1, 0"))
+
+    # Each of them, with its line.
+    with tempfile.TemporaryDirectory() as directory:
+        result = run(directory, "case.prm", text=TOP + """set Initial velocity = 0; 0
+subsection Geometry
+  set Fluid boxes   = 0, 0 : 0.146, 0.292
+  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
+end
+subsection Fluid
+  subsection Bingham
+    set Yield stress = 20
+  end
+end
+""")
+        first = TOP.count("\n") + 1
+        places = {first: "Initial velocity", first + 2: "Geometry/Fluid boxes", first + 3: "Geometry/No-slip walls",
+                  first + 7: "Fluid/Bingham/Yield stress"}
+        lines = result.stderr.splitlines()
+        expected = ["case.prm:%d: there is no entry '%s' any more. Allowed: " % place for place in places.items()]
+        check("a file of old entries: status 2", result.returncode == 2, result.returncode)
+        check("... and a line for each, in their order, and how to convert them", len(lines) == len(expected) + 1 and all(
+            text in line for text, line in zip(expected, lines)) and "convert-case" in lines[-1], result.stderr)
+        check("... and nothing is left behind", os.listdir(directory) == ["case.prm"], os.listdir(directory))
 
 
 def test_printed():
@@ -275,18 +410,23 @@ def test_printed():
         check("--print-parameters prm", result.returncode == 0 and "set Mesh size" in result.stdout, result.stderr)
         check("nothing written", os.listdir(directory) == [])
 
-        # The printed parameters are a parameter file.
-        result = run(directory, "case.prm", *set_entry("Geometry/Fluid boxes", "0, 0 : 0.1, 0.1"), "--check",
-                     text=result.stdout)
+        check("--print-parameters prm shows a part of each kind", all(re.search(r"set %s *= %s\b" % item, result.stdout)
+              for item in {"Fluids": "fluid", "Boundaries": "boundary", "Solids": "solid"}.items()), result.stdout)
+
+        # The printed parameters are a parameter file, once the parts have shapes.
+        result = run(directory, "case.prm", *set_entry(FLUID + "Shape", "box"),
+                     *set_entry(FLUID + "box/Corners", "0, 0 : 0.1, 0.1"), *set_entry("Boundaries/boundary/Shape", "polyline"),
+                     *set_entry("Boundaries/boundary/polyline/Points", "0, 0 : 1, 0"), *set_entry("Solids/solid/Shape", "box"),
+                     *set_entry("Solids/solid/box/Corners", "0.5, 0 : 0.6, 0.1"), "--check", text=result.stdout)
         check("printed parameters can be read", result.returncode == 0, result.stderr)
         result = run(directory, "case.prm", "--check")
         check("--check", result.returncode == 0 and "Fluid cells" in result.stdout, result)
-        result = run(directory, "case.prm", "--check", "--set", "Solids/Number of solids=1", "--set",
-                     "Solids/Solid 1/Box=0.2, 0 : 0.4, 0.4", "--set", "Solids/Solid 1/Elements=1, 1")
+        result = run(directory, "case.prm", "--check", text=GOOD + parts("Solids", {"block": shape(
+            "box", "Corners = 0.2, 0 : 0.4, 0.4", "Elements = 1, 1")}))
         check("a solid's contour that is too coarse is reported",
               result.returncode == 0 and "Warning" in result.stdout and "0.2" in result.stdout and "0.03" in result.stdout,
               result)
-        result = run(directory, "case.prm", "--check", *set_entry("Geometry/No-slip walls", "0, 0.4 : 0, 0 : 0.1, 0"))
+        result = run(directory, "case.prm", "--check", *set_entry(WALLS + "polyline/Points", "0, 0.4 : 0, 0 : 0.1, 0"))
         check("walls that end under the fluid are reported",
               result.returncode == 0 and "Warning: no wall and no solid lies below" in result.stdout, result)
         check("--check writes nothing", os.listdir(directory) == ["case.prm"])
@@ -365,7 +505,7 @@ def test_computed():
     for smallest, front in [("1", 0.56), ("40", 0.146)]:
         with tempfile.TemporaryDirectory() as directory:
             result = run(directory, "case.prm", *set_entry("End time", "1e-3"),
-                         *set_entry("Geometry/Fluid boxes", "0, 0 : 0.146, 0.292;\n  0.5, 0.2 : 0.56, 0.26"),
+                         *set_entry(FLUID + "box/Corners", "0, 0 : 0.146, 0.292;\n  0.5, 0.2 : 0.56, 0.26"),
                          *set_entry("Postprocess/Fluid extents/Smallest part", smallest))
             columns, rows = read_statistics(os.path.join(directory, "out", "statistics"))
             found = rows[-1][columns.index("front (m)")]

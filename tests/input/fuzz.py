@@ -29,11 +29,14 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from program_test import mesh, parts  # noqa: E402
 
 FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Aborting", "exception", "Exception",
           "std::", "Lahar::", "dealii::", "Backtrace", "Segmentation", "parameter_handler.cc", "CGAL"]
 
-LIMITS = ["--set", "Geometry/Largest number of particles=30000", "--set", "Solids/Largest number of nodes=30000"]
+LIMITS = ["--set", "Largest number of particles=30000", "--set", "Solids/Largest number of nodes=30000"]
 
 # Values that stand for a number.
 NUMBERS = ["0", "-1", "1", "-0", "1e308", "-1e308", "1e-308", "5e-324", "1e400", "nan", "inf", "-inf", "", "1e-9", "1e9", "1e12",
@@ -112,8 +115,9 @@ class Mutator:
         lines.insert(random.randrange(len(lines) + 1), random.choice([
             b"end", b"end\nend", b"subsection", b"subsection " + random.choice(self.words), b"subsection a\n" * 2000, b"set",
             b"set " + random.choice(self.words) + b" = 1", b"include case.prm", b"include", b"x" * 100000, b"$Elements",
-            b"set Gravity = " + b"1, " * 50000, b"set Number of solids = 100", b"set Dimension = 3",
-            b"set Fluid boxes = " + b"0, 0 : 1, 1; " * 30]))
+            b"set Gravity = " + b"1, " * 50000, b"set Solids = " + b", ".join(b"solid %d" % i for i in range(100)), b"set Fluids = fluid, other",
+            b"set Boundaries = walls, walls", b"set Dimension = 3",
+            b"set Corners = " + b"0, 0 : 1, 1; " * 30]))
         return b"\n".join(lines)
 
     CHANGES = [change_lines, change_number, change_number, change_number, scale_number, change_word, change_word,
@@ -142,21 +146,20 @@ def find_cases():
     cases = []
     for path in sorted(ROOT.glob("prm/**/*.prm")):
         text = path.read_bytes()
-        files = {name.decode(): (path.parent / name.decode()).read_bytes() for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
+        files = {name.decode(): (path.parent / name.decode()).read_bytes() for name in re.findall(rb"File *= *(\S+\.msh)", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
     # The column lies in the plane, the basin in space; the first attempt of coarsen() works with these sizes.
-    for pattern, dimension, size, floor in (("column*", b"2", b"0.02", b"0, 0 : 1, 0"),
-                                            ("basin*", b"3", b"0.06", b"0, 0, 0 : 1, 1, 0")):
+    for pattern, dimension, size, floor in (("column*", "2", "0.02", "0, 0 : 1, 0"),
+                                            ("basin*", "3", "0.06", "0, 0, 0 : 1, 1, 0")):
         for path in sorted(ROOT.glob("tests/geometry/%s.msh" % pattern)):
-            mesh = path.read_bytes()
+            data = path.read_bytes()
             for use, text in [
-                    ("fluid", b"subsection Geometry\n  set Mesh file = case.msh\n  set Fluid groups = fluid\n"
-                              b"  set No-slip wall groups = walls\nend\n"),
-                    ("solid", b"subsection Solids\n  set Number of solids = 1\n  subsection Solid 1\n"
-                              b"    set Mesh file = case.msh\n    set Group = fluid\n    set Clamped = " + floor +
-                              b"\n  end\nend\n")]:
-                text = b"set Dimension = " + dimension + b"\nset Mesh size = " + size + b"\n" + text
-                cases += 2 * [Case("%s as %s" % (path.relative_to(ROOT), use), {"case.prm": text, "case.msh": mesh})]
+                    ("fluid", parts("Fluids", {"fluid": mesh("case.msh", "fluid")}) +
+                              parts("Boundaries", {"walls": mesh("case.msh", "walls")})),
+                    ("solid", parts("Solids", {"solid": mesh("case.msh", "fluid") + "set Clamped = " + floor}))]:
+                text = "set Dimension = " + dimension + "\nset Mesh size = " + size + "\n" + text
+                cases += 2 * [Case("%s as %s" % (path.relative_to(ROOT), use),
+                                   {"case.prm": text.encode(), "case.msh": data})]
     return cases
 
 

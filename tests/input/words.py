@@ -18,28 +18,36 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, barrier, check, failed  # noqa: E402
+from program_test import ENVIRONMENT, barrier, check, failed, fluid, mesh, parts, section, wall, walls  # noqa: E402
 
 LAHAR, GEOMETRY = [os.path.abspath(path) for path in sys.argv[1:3]]
 
-GOOD = """set Dimension = 2
+TOP = """set Dimension = 2
 set Output directory = out
 set End time = 1e-3
 set Mesh size = 0.03
-subsection Geometry
-  set Fluid boxes = 0, 0 : 0.146, 0.292
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
-end
 """
+COLUMN = fluid("0, 0 : 0.146, 0.292")
+FLOOR = walls("0, 0.4 : 0, 0 : 0.5, 0")
+GOOD = TOP + COLUMN + FLOOR
+SIZE = "set Mesh size = 0.03\n"
 
-MESH = """set Mesh size = 0.03
-subsection Geometry
-  set Mesh file = %s
-  set Fluid groups = %s
-  set No-slip wall groups = %s
-  set Mesh scale = %g
-end
-"""
+
+def mesh_case(file, fluid_groups, wall_groups, scale=1.):
+    """Fluid and walls of a mesh file."""
+    return SIZE + parts("Fluids", {"fluid": mesh(file, fluid_groups, scale)}) + \
+        parts("Boundaries", {"walls": mesh(file, wall_groups, scale)})
+
+
+def mesh_solid(file, scale=1., right=1):
+    """A solid of the group 'fluid', clamped below."""
+    return parts("Solids", {"barrier": mesh(file, "fluid", scale) + f"set Clamped = 0, 0 : {right}, 0\n" + section(
+        "hypoelastic", "set Density = 2500", "set Young's modulus = 1e6", "set Poisson's ratio = 0")})
+
+
+def after_good(n):
+    """The place of line @p n after GOOD."""
+    return "case.prm:%d: " % (GOOD.count("\n") + n)
 
 
 def run(files, *arguments, folder=".", options=("--check",)):
@@ -82,21 +90,23 @@ def set_entry(text):
 
 
 def test_entries():
-    for text, nearest in [("Mesh sizes=1", "Mesh size"), ("Fluid/Bingham/Densty=1", "Fluid/Bingham/Density"),
-                          ("Density=1", "Fluid/Bingham/Density"), ("Geometry/Mesh size=1", "Mesh size"),
+    for text, nearest in [("Mesh sizes=1", "Mesh size"), ("Fluids/fluid/Bingham/Densty=1", "Fluids/fluid/Bingham/Density"),
+                          ("Density=1", "Fluids/fluid/Bingham/Density"), ("Geometry/Mesh size=1", "Mesh size"),
                           ("Solver/Type=direct", "Linear solver/Type")]:
         refused("--set " + text, GOOD, "--set: there is no entry '%s'" % text.split("=")[0],
                 "nearest is '" + nearest + "'", "Allowed", arguments=set_entry(text))
     refused("nothing is near", GOOD, "there is no entry 'Xyz'. Allowed", arguments=set_entry("Xyz=1"))
     refused("a misspelt entry in the file", GOOD + "set mesh size = 1\n",
-            "case.prm:9: there is no entry 'mesh size'", "'Mesh size'")
-    refused("a misspelt subsection", GOOD + "\nsubsection fluid\nend\n",
-            "case.prm:10: there is no subsection 'fluid'", "'Fluid'")
-    refused("an entry of space in the plane",
-            GOOD + "subsection Geometry\n  set Fluid cones = 0, 0, 0 : 1, 1, 1\nend\n",
-            "case.prm:10: there is no entry 'Geometry/Fluid cones' where 'Dimension' is 2", "set Dimension = 3")
-    in_space = "set Mesh size = 0.1\nsubsection Geometry\n  set Fluid boxes = 0, 0, 0 : 1, 1, 1\nend\n"
-    refused("a missing Dimension", in_space, "'Geometry/Fluid boxes'", "0, 0, 0 : 1, 1, 1", "'Dimension' is 2")
+            after_good(1) + "there is no entry 'mesh size'", "'Mesh size'")
+    refused("a misspelt subsection", GOOD + "\nsubsection fluids\nend\n",
+            after_good(2) + "there is no subsection 'fluids'", "'Fluids'")
+    refused("a subsection of space in the plane", GOOD + section("Fluids", section("fluid", section(
+        "cone", "set Base radius = 1"))), after_good(3) +
+            "there is no subsection 'Fluids/fluid/cone' where 'Dimension' is 2", "set Dimension = 3")
+    refused("an entry of space in the plane", GOOD, "--set: there is no entry 'Fluids/fluid/cone/Base radius' where "
+            "'Dimension' is 2", "set Dimension = 3", arguments=set_entry("Fluids/fluid/cone/Base radius=1"))
+    in_space = "set Mesh size = 0.1\n" + fluid("0, 0, 0 : 1, 1, 1")
+    refused("a missing Dimension", in_space, "'Fluids/fluid/box/Corners'", "0, 0, 0 : 1, 1, 1", "'Dimension' is 2")
     refused("gravity of space in the plane", GOOD + "set Gravity = 0, 0, -9.81\n", "'Gravity'", "'Dimension' is 2")
 
 
@@ -109,78 +119,79 @@ def test_lines():
     accepted("keywords in capitals", {"case.prm": capitals})
     for encoding in ("utf-16", "utf-16-be", "utf-16-le"):
         refused("text in " + encoding, {"case.prm": GOOD.encode(encoding)}, "case.prm:1: found ", "UTF-16", "UTF-8")
-    refused("a missing end", GOOD + "subsection Fluid\n  set Law = Newtonian\nsubsection Solids\nend\n",
-            "case.prm:9: the subsection 'Fluid' has no 'end'", "Allowed")
-    refused("a missing end at the top", GOOD.replace("\nend", "") + "subsection Fluid\nend\n",
-            "case.prm:5: the subsection 'Geometry'")
-    refused("an end too many", GOOD + "\nend\n", "case.prm:10: found 'end'", "Allowed")
+    refused("a missing end", GOOD + "subsection Fluids\n  set Law = Newtonian\nsubsection Solids\nend\n",
+            after_good(1) + "the subsection 'Fluids' has no 'end'", "Allowed")
+    refused("a missing end at the top", TOP + COLUMN.replace("\nend", "") + "subsection Solids\nend\n",
+            "case.prm:6: the subsection 'Fluids'")
+    refused("an end too many", GOOD + "\nend\n", after_good(2) + "found 'end'", "Allowed")
     refused("an end too many in an included file",
-            {"case.prm": GOOD + "subsection Fluid\ninclude fluid.prm\n", "fluid.prm": "\nend\n"},
+            {"case.prm": GOOD + "subsection Fluids\ninclude fluid.prm\n", "fluid.prm": "\nend\n"},
             "fluid.prm:2: found 'end'")
-    refused("a line without set", GOOD + "Mesh size = 1\n", "case.prm:9: found 'Mesh size = 1'", "set entry = value")
-    refused("a set without =", GOOD + "set Mesh size 1\n", "case.prm:9: found 'set Mesh size 1'", "set entry = value")
+    refused("a line without set", GOOD + "Mesh size = 1\n", after_good(1) + "found 'Mesh size = 1'", "set entry = value")
+    refused("a set without =", GOOD + "set Mesh size 1\n", after_good(1) + "found 'set Mesh size 1'", "set entry = value")
 
 
 def test_names():
     with open(os.path.join(GEOMETRY, "column_41.msh")) as file:
         mesh = file.read()
-    case = MESH % ("../meshes/column.msh", "fluid", "walls", 1.) + "set Output directory = out\nset End time = 1e-3\n"
+    case = mesh_case("../meshes/column.msh", "fluid", "walls") + "set Output directory = out\nset End time = 1e-3\n"
     files = {"cases/case.prm": case, "meshes/column.msh": mesh}
     accepted("a mesh beside the case", files, "cases/case.prm", parts=["Fluid cells *97"])
     result = accepted("a mesh beside the case, from elsewhere", files, "../cases/case.prm", folder="runs", options=())
-    entry = re.search(r"Mesh file *= (\S*)", getattr(result, "parameters", ""))
-    check("parameters.prm has the whole name",
-          entry and os.path.isabs(entry[1]) and entry[1].endswith("/meshes/column.msh"), entry)
+    names = re.findall(r"set File *= (\S+)", getattr(result, "parameters", ""))
+    check("parameters.prm has the whole name of both parts", len(names) == 2 and all(
+          os.path.isabs(name) and name.endswith("/meshes/column.msh") for name in names), names)
     check("parameters.prm is a case", getattr(result, "again", result).returncode == 0, result)
     accepted("on the command line a name is relative to the working directory", files, "../cases/case.prm", "--set",
-             "Geometry/Mesh file=../meshes/column.msh", folder="runs")
+             "Fluids/fluid/mesh/File=../meshes/column.msh", "--set", "Boundaries/walls/mesh/File=../meshes/column.msh",
+             folder="runs")
     refused("a mesh that is not beside the case", dict(files, **{"cases/case.prm": case.replace("../", "")}),
             "Mesh file '", "/cases/meshes/column.msh' does not exist", arguments=["cases/case.prm"])
 
-    solid = barrier(0, 1).replace("set Box     = 0, 0 : 1, 0.08",
-                                  "set Mesh file = ../meshes/column.msh\nset Group = fluid")
-    accepted("a solid's mesh beside the case", dict(files, **{"cases/case.prm": "set Mesh size = 0.03\n" + solid}),
+    accepted("a solid's mesh beside the case", dict(files, **{"cases/case.prm": SIZE + mesh_solid("../meshes/column.msh")}),
              "../cases/case.prm", folder="runs", parts=["Solid cells *128"])
 
     included = {"a/case.prm": "include parts/fluid.prm\nset Dimension = 2\n",
-                "a/parts/fluid.prm": GOOD + "subsection Fluid\ninclude ../law.prm\nend\n",
+                "a/parts/fluid.prm": GOOD + section("Fluids", section("fluid", "include ../law.prm")),
                 "a/law.prm": "set Law = Newtonian\n"}
     accepted("included files beside their files", included, "../a/case.prm", folder="runs")
     refused("an error in an included file", dict(included, **{"a/law.prm": "\nset Law = \nset Lav = 1\n"}),
-            "a/parts/../law.prm:3: there is no entry 'Fluid/Lav'", "nearest is 'Fluid/Law'", arguments=["a/case.prm"])
+            "a/parts/../law.prm:3: there is no entry 'Fluids/fluid/Lav'", "nearest is 'Fluids/fluid/Law'", arguments=["a/case.prm"])
     refused("a missing included file", dict(included, **{"a/case.prm": "\ninclude fluid.prm\n"}),
             "a/case.prm:2: ", "a/fluid.prm", "does not exist", arguments=["a/case.prm"])
 
 
 def test_meshes():
     file = os.path.join(GEOMETRY, "groups_41.msh")
-    for fluid, walls in [('"water, at rest"', "floor, left wall"), ("5", "7, 3"), (' fluid ', ' 7 , "left wall"')]:
-        accepted("groups %s; %s" % (fluid, walls), {"case.prm": MESH % (file, fluid, walls, 1.)},
-                 parts=["Fluid cells *97"])
-    for fluid in ('"water, at rest', '"fluid" "water"'):
-        refused("groups " + fluid, MESH % (file, fluid, "walls", 1.), "'Geometry/Fluid groups'", "double quotes")
-    refused("an open wall through a gmsh fluid", MESH % (file, "fluid", "walls", 1.) +
-            "subsection Geometry\n  set No-slip walls = 0.07, 0 : 0.07, 0.2\nend\n", "overlaps wall", "(0.07 ")
-    refused("half a name", MESH % (file, "water, at rest", "walls", 1.), "'water'", "'water, at rest'")
-    refused("an unknown tag", MESH % (file, "fluid", "9", 1.), "'9'", "7 (has no name)")
-    refused("a scale of zero", MESH % (file, "fluid", "walls", 0.), "'Geometry/Mesh scale'", "above zero")
-    with open(file) as mesh:
+    for groups in [('"water, at rest"', "floor, left wall"), ("5", "7, 3"), (' fluid ', ' 7 , "left wall"')]:
+        accepted("groups %s; %s" % groups, {"case.prm": mesh_case(file, *groups)}, parts=["Fluid cells *97"])
+    for group in ('"water, at rest', '"fluid" "water"'):
+        refused("groups " + group, mesh_case(file, group, "walls"), "'Fluids/fluid/mesh/Groups'", "double quotes")
+    refused("an open wall through a gmsh fluid", SIZE + parts("Fluids", {"fluid": mesh(file, "fluid")}) + parts(
+        "Boundaries", {"walls": mesh(file, "walls"), "gate": wall("0.07, 0 : 0.07, 0.2")}),
+            "Fluid 'fluid' overlaps boundary 'gate'", "(0.07 ")
+    refused("half a name", mesh_case(file, "water, at rest", "walls"), "'water'", "'water, at rest'")
+    refused("an unknown tag", mesh_case(file, "fluid", "9"), "'9'", "7 (has no name)")
+    refused("a scale of zero", mesh_case(file, "fluid", "walls", 0.), "'Fluids/fluid/mesh/Scale'", "above zero")
+    refused("no scale above zero for walls", SIZE + COLUMN + parts("Boundaries", {"walls": mesh(file, "walls", 0.)}),
+            "'Boundaries/walls/mesh/Scale'", "above zero")
+    with open(file) as original:
         # x 1000: numbers of the nodes only, which have decimals or stand in lines of three
         in_mm = re.sub(r"(?m)^(\S+) (\S+) 0$", lambda m: "%.15g %.15g 0" % (1e3 * float(m[1]), 1e3 * float(m[2])),
-                       mesh.read())
-    files = {"case.prm": MESH % ("mm.msh", "fluid", "walls", 1e-3), "mm.msh": in_mm}
+                       original.read())
+    files = {"case.prm": mesh_case("mm.msh", "fluid", "walls", 1e-3), "mm.msh": in_mm}
     accepted("a mesh in mm", files, parts=["Fluid cells *97", r"Fluid volume *0\.0422"])
-    refused("a mesh in mm without its scale", dict(files, **{"case.prm": MESH % ("mm.msh", "fluid", "walls", 1.)}),
-            "'Geometry/Mesh scale' is 1,", "1e-3 for mm", "'Mesh size' is 0.03")
-    floor = MESH % ("mm.msh", "", "floor", 1.) + re.sub(".*No-slip walls.*", "", GOOD)
+    refused("a mesh in mm without its scale", dict(files, **{"case.prm": mesh_case("mm.msh", "fluid", "walls")}),
+            "'Fluids/fluid/mesh/Scale' is 1,", "1e-3 for mm", "'Mesh size' is 0.03")
+    floor = TOP + COLUMN + parts("Boundaries", {"walls": mesh("mm.msh", "floor")})
     accepted("walls in mm without their scale", dict(files, **{"case.prm": floor}),
-             parts=["Warning: the walls of 'Geometry/Mesh file'.* 500 m", "1e-3 for a mesh in mm"])
-    solid = "set Mesh size = 0.02\n" + barrier(0, 1).replace(
-        "set Box     = 0, 0 : 1, 0.08", "set Mesh file = mm.msh\n set Group = fluid\n set Mesh scale = %g")
-    accepted("a solid in mm", dict(files, **{"case.prm": solid % 1e-3}), parts=["Solid cells *128"])
+             parts=["Warning: the walls of boundary 'walls'.* 500 m.*Boundaries/walls/mesh/Scale",
+                                                                        "1e-3 for a mesh in mm"])
+    size = "set Mesh size = 0.02\n"
+    accepted("a solid in mm", dict(files, **{"case.prm": size + mesh_solid("mm.msh", 1e-3)}), parts=["Solid cells *128"])
     accepted("a solid in mm without its scale",
-             dict(files, **{"case.prm": (solid % 1.).replace("0 : 1, 0\n", "0 : 1000, 0\n")}),
-             parts=["Warning: the elements of Solid 1 .*Solids/Solid 1/Mesh scale"])
+             dict(files, **{"case.prm": size + mesh_solid("mm.msh", right=1000)}),
+             parts=["Warning: the elements of solid 'barrier' .*Solids/barrier/mesh/Scale"])
 
 
 def test_places():
@@ -194,15 +205,15 @@ def test_places():
     refused("a gauge 1 mm beside the solid",
             GOOD + barrier(0.2, 0.23) + re.sub("tip: .*", "tip: 0.2, 0.081", point), "'tip'", "thousandth")
 
-    def tank(walls):
-        return GOOD.replace("0, 0.4 : 0, 0 : 0.5, 0", walls)
+    def tank(points):
+        return TOP + COLUMN + walls(points)
 
-    for walls in ("0, 0 : 0.3, 0 : 0.3, 0.4 : 0, 0.4 : 0, 0", "0, 0 : 0, 0.4 : 0.3, 0.4 : 0.3, 0 : 0, 0"):
+    for points in ("0, 0 : 0.3, 0 : 0.3, 0.4 : 0, 0.4 : 0, 0", "0, 0 : 0, 0.4 : 0.3, 0.4 : 0.3, 0 : 0, 0"):
         same = accepted("open walls", {"case.prm": tank("0, 0.4 : 0, 0 : 0.3, 0 : 0.3, 0.4; 0.3, 0.4 : 0, 0.4")})
-        result = accepted("a tank " + walls, {"case.prm": tank(walls)})
+        result = accepted("a tank " + points, {"case.prm": tank(points)})
         check("a tank has the fluid of open walls", result.stdout == same.stdout, result.stdout, same.stdout)
     accepted("a full tank", {"case.prm": tank("0, 0 : 0.146, 0 : 0.146, 0.292 : 0, 0.292 : 0, 0")})
-    refused("a tank through the fluid", tank("0, 0 : 0.1, 0 : 0.1, 0.4 : 0, 0.4 : 0, 0"), "overlaps wall", "(0.1 ")
+    refused("a tank through the fluid", tank("0, 0 : 0.1, 0 : 0.1, 0.4 : 0, 0.4 : 0, 0"), "overlaps boundary 'walls'", "(0.1 ")
 
 
 {"entries": test_entries, "lines": test_lines, "names": test_names, "meshes": test_meshes,

@@ -110,7 +110,7 @@ int main(int argc, char **argv)
                                             {"Yield stress", "-1"},
                                             {"Regularization parameter", "0"}})
     check_throws<InputError>(entry + " = " + value + " is refused",
-                             {"Fluid/Bingham/" + entry, "'" + value + "'", "Allowed"},
+                             {"'Bingham/" + entry + "'", "'" + value + "'", "Allowed"},
                              [&, e = entry, v = value]() {
                                make_law("Bingham", {{e, v}});
                              });

@@ -31,19 +31,18 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import numpy as np  # noqa: E402
 
 from lahar_output import read_pvd, read_vtu  # noqa: E402
-from program_test import barrier, check, failed, new_case, on_ranks  # noqa: E402
+from program_test import barrier, check, failed, fluid, new_case, on_ranks, section, walls  # noqa: E402
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
+
+YIELDING = section("Bingham", "set Yield stress = 20")
 
 COLUMN = """
 set Output directory = out
 set End time         = 0.03
 set Time step        = 2e-3
 set Mesh size        = 0.015
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.146, 0.292
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
-end
+""" + fluid("0, 0 : 0.146, 0.292", YIELDING) + walls("0, 0.4 : 0, 0 : 0.5, 0") + """
 subsection Postprocess
   subsection Point gauges
     set Points = inside: 0.05, 0.1; middle: 0.073, 0.146; foot: 0.01, 0.003; dry: 0.4, 0.3
@@ -56,11 +55,6 @@ end
 
 # Appended to every case: rounding is all that may differ.
 TIGHT = """
-subsection Fluid
-  subsection Bingham
-    set Yield stress = 20
-  end
-end
 subsection Nonlinear solver
   set Tolerance = 1e-8
 end
@@ -88,10 +82,8 @@ set Output directory = out
 set End time         = 0.012
 set Time step        = 2e-3
 set Mesh size        = 0.02
-subsection Geometry
-  set Fluid boxes   = 0, 0, 0 : 0.1, 0.1, 0.15
-  set No-slip walls = -0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0
-end
+""" + fluid("0, 0, 0 : 0.1, 0.1, 0.15", YIELDING) + \
+    walls("-0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0") + """
 subsection Postprocess
   subsection Point gauges
     set Points = middle: 0.05, 0.05, 0.075; foot: 0.01, 0.09, 0.003; dry: 0.2, 0.2, 0.2

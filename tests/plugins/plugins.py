@@ -5,6 +5,7 @@ program, and load what is no plugin for it. The code in doc/extending.md is the 
 
 Usage: plugins.py BUILD_DIRECTORY
 """
+import math
 import os
 import re
 import shutil
@@ -44,11 +45,10 @@ def fields_of(path):
 def test_page():
     text = open(os.path.join(ROOT, "doc", "extending.md")).read()
     blocks = re.findall("```cpp\n(.*?)```", text, re.S)
-    names = ("herschel_bulkley.cc", "largest_speed.cc", "vorticity.cc", "pressure_laplacian.cc")
-    check("doc/extending.md has code of the example alone", len(blocks) == len(names), len(blocks))
-    for block, name in zip(blocks, names):
-        source = open(os.path.join(EXAMPLE, name)).read().split("\n\n", 1)[1]
-        check(f"doc/extending.md has {name} as it is", block == source)
+    for path in [*(os.path.join(EXAMPLE, name) for name in sorted(os.listdir(EXAMPLE)) if name.endswith(".cc")),
+                 os.path.join(ROOT, "source", "boundary", "free_slip.cc")]:
+        source = open(path).read().split("\n\n", 1)[1]
+        check(f"doc/extending.md has {os.path.basename(path)} as it is", source in blocks)
 
 
 def test_example(parent):
@@ -97,6 +97,16 @@ def test_example(parent):
     check("a case in space runs with the plugin", result.returncode == 0, result.stderr)
     fields = fields_of(os.path.join(parent, "space", "solution-00000.vtu"))
     check("... where the plugin's field is a vector", fields.get("vorticity") == 3, fields)
+    ellipse = ["--set", "Fluids/fluid/Shape=ellipse", "--set", "Fluids/fluid/ellipse/Centre=0.3, 0.2", "--set",
+               "Fluids/fluid/ellipse/Corners=40"]
+    result = call([lahar, "--check", *ellipse, "--set", "Fluids/fluid/ellipse/Half axes=0.2, 0.1",
+                   os.path.join(source, "case.prm")], parent)
+    volume = re.search(r"Fluid volume +(\S+) m\^2", result.stdout)
+    check("the plugin's shape has its volume", result.returncode == 0 and volume and
+          abs(float(volume[1]) - math.pi * 0.2 * 0.1) < 1e-5, result.stdout, result.stderr)
+    result = call([lahar, "--check", *ellipse, os.path.join(source, "case.prm")], parent)
+    check("... and refuses one without extent", result.returncode == 2 and
+          "'Fluids/fluid/ellipse/Half axes' is '0, 0'" in result.stderr, result.stderr)
     return lahar, plugin
 
 

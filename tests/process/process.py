@@ -30,7 +30,7 @@ sys.path.insert(0, os.path.join(ROOT, "chaos"))
 
 from attempt import Attempt, send  # noqa: E402
 from cases import Statistics  # noqa: E402
-from program_test import ENVIRONMENT, check, failed, new_case, on_ranks  # noqa: E402
+from program_test import ENVIRONMENT, check, failed, fluid, new_case, on_ranks, section, walls  # noqa: E402
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
 PATIENCE = 300.  # s, on a busy machine
@@ -44,16 +44,7 @@ set Output interval  = 0
 subsection Checkpoint
   set Minutes between = 0
 end
-subsection Geometry
-  set Fluid boxes   = 0, 0 : 0.146, 0.292
-  set No-slip walls = 0, 0.4 : 0, 0 : 0.5, 0
-end
-subsection Fluid
-  subsection Bingham
-    set Yield stress = 20
-  end
-end
-"""
+""" + fluid("0, 0 : 0.146, 0.292", section("Bingham", "set Yield stress = 20")) + walls("0, 0.4 : 0, 0 : 0.5, 0")
 
 # Appended to a case for several ranks: rounding is all that may differ.
 TIGHT = """
@@ -205,7 +196,7 @@ def input_(parent):
     doubling = new_case(parent, "doubling", "include case.prm\ninclude case.prm\n" + "#" * 1000 + "\n")
     fifo = os.path.join(parent, "mesh.msh")
     os.mkfifo(fifo)
-    mesh = ["--set", "Geometry/Fluid boxes=", "--set", "Geometry/Fluid groups=fluid"]
+    mesh = ["--set", "Fluids/fluid/Shape=mesh", "--set", "Fluids/fluid/mesh/Groups=fluid"]
     for what, command, words in (
             ("yes | lahar /dev/stdin", 'yes "# yes" | "$0" /dev/stdin', "longer than 10000000 bytes"),
             ("yes without line ends", "yes | tr -d '\\n' | \"$0\" /dev/stdin", "longer than 10000000 bytes"),
@@ -213,9 +204,9 @@ def input_(parent):
             ("2 GB", '"$0" ' + huge, "longer than 10000000 bytes"),
             ("files that include themselves twice", '"$0" ' + os.path.join(doubling, "case.prm"), "include each other"),
             ("a mesh of 2 GB", " ".join(['"$0" case.prm'] + ["'%s'" % word for word in mesh] +
-                                        ["--set 'Geometry/Mesh file=%s'" % huge]), "500000000"),
+                                        ["--set 'Fluids/fluid/mesh/File=%s'" % huge]), "500000000"),
             ("a pipe as a mesh", " ".join(['"$0" case.prm'] + ["'%s'" % word for word in mesh] +
-                                          ["--set 'Geometry/Mesh file=%s'" % fifo]), "is a pipe")):
+                                          ["--set 'Fluids/fluid/mesh/File=%s'" % fifo]), "is a pipe")):
         begin = time.monotonic()
         result = subprocess.run(["bash", "-c", command, LAHAR], cwd=case, env=ENVIRONMENT, capture_output=True, text=True,
                                 timeout=PATIENCE)

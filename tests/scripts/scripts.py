@@ -17,7 +17,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, ".."))
-from program_test import ENVIRONMENT, check, failed
+from program_test import ENVIRONMENT, check, failed, fluid, walls
 
 CONTRIB = os.path.abspath(os.path.join(HERE, "..", "..", "contrib"))
 SKIPPED = 77
@@ -29,11 +29,6 @@ set Time step        = 1e-3
 set Mesh size        = 0.02
 set Output interval  = 1e-3
 set Gravity          = %s
-
-subsection Geometry
-  set Fluid boxes   = %s
-  set No-slip walls = %s
-end
 """
 
 
@@ -109,11 +104,11 @@ def test_benchmarks(lahar, directory):
 
 
 def test_plots(lahar, directory):
-    def compute(name, *values):
+    def compute(name, dimension, gravity, corners, points):
         folder = os.path.join(directory, name)
         os.mkdir(folder)
         with open(os.path.join(folder, "case.prm"), "w") as file:
-            file.write(BOX % values)
+            file.write(BOX % (dimension, gravity) + fluid(corners) + walls(points))
         process = subprocess.run([lahar, "case.prm"], cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         check(f"there is a run in {name}", process.returncode == 0, process.stderr)
@@ -136,10 +131,10 @@ def test_plots(lahar, directory):
     if not importlib.util.find_spec("vtkmodules"):
         print("section.py and render.py are not tested: no VTK for Python")
         return
-    walls = "; ".join(["0, 0, 0 : 0.1, 0, 0 : 0.1, 0.08, 0 : 0, 0.08, 0",
+    sides = "; ".join(["0, 0, 0 : 0.1, 0, 0 : 0.1, 0.08, 0 : 0, 0.08, 0",
                        *(f"{x}, 0, 0 : {x}, 0.08, 0 : {x}, 0.08, 0.1 : {x}, 0, 0.1" for x in (0, 0.1)),
                        *(f"0, {y}, 0 : 0.1, {y}, 0 : 0.1, {y}, 0.1 : 0, {y}, 0.1" for y in (0, 0.08))])
-    space = compute("space", 3, "0, 0, -9.81", "0, 0, 0 : 0.1, 0.08, 0.06", walls)
+    space = compute("space", 3, "0, 0, -9.81", "0, 0, 0 : 0.1, 0.08, 0.06", sides)
     process = run_script(directory, "plot/section.py", space, "--plane", "y=0.041", "--times", "0", "--to", "section.png",
                          "--text", "section.txt")
     check("section.py draws", process.returncode == 0 and is_drawing(os.path.join(directory, "section.png")), process.stderr)

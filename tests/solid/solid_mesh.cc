@@ -22,14 +22,14 @@ void make(Solids<dim> &solids, const unsigned int degree, const std::string &law
                     foot = dim == 2 ? "0.1, 0 : 0.3, 0" : "0.1, 0, 0 : 0.3, 0, 0.2",
                     load = dim == 2 ? "0.1, 0.5 : 0.3, 0.5" : "0.1, 0.5, 0 : 0.3, 0.5, 0.2";
   Parameters prm;
-  Solids<dim>::declare_parameters(prm, 1);
+  Solids<dim>::declare_parameters(prm, {"beam"});
   prm.parse_input_from_string(
-    "subsection Solids\n set Number of solids = 1\n set Degree = " + std::to_string(degree) +
-    "\n subsection Solid 1\n set Box = " + box + "\n set Elements = " + (dim == 2 ? "2, 3" : "2, 3, 1") +
-    "\n set Clamped = " + foot + "\n set Loaded = " + load +
-    "\n set Traction = " + (dim == 2 ? "t; 3*t" : "t; 3*t; 0") + "\n set Law = " + law + "\n subsection " +
-    law + "\n set Poisson's ratio = 0.3\n end\n end\nend\n");
-  solids.parse_parameters(prm);
+    "subsection Solids\n set Degree = " + std::to_string(degree) +
+    "\n subsection beam\n set Shape = box\n subsection box\n set Corners = " + box +
+    "\n set Elements = " + (dim == 2 ? "2, 3" : "2, 3, 1") + "\n end\n set Clamped = " + foot +
+    "\n set Loaded = " + load + "\n set Traction = " + (dim == 2 ? "t; 3*t" : "t; 3*t; 0") +
+    "\n set Law = " + law + "\n subsection " + law + "\n set Poisson's ratio = 0.3\n end\n end\nend\n");
+  solids.parse_parameters(prm, {"beam"});
   check("no warning", solids.create(0.1, 0., true).empty());
 }
 

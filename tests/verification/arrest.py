@@ -21,10 +21,10 @@ def main():
     check.near("creep, ten times the time step", front("Time step=1e-2")[-1], creep, 0.1)
     check.near("creep, twice the mesh size", front("Time step=1e-2", "Mesh size=0.0125")[-1], creep, 0.2)
     # Stress and its distribution stay, so that m times the strain rate does.
-    creep_of_2000 = front("Fluid/Bingham/Regularization parameter=2000")[-1]
+    creep_of_2000 = front("Fluids/fluid/Bingham/Regularization parameter=2000")[-1]
     check.near("twice the creep with twice the regularisation parameter", 2. * creep_of_2000, creep, 0.1)
 
-    slump = front("Fluid/Bingham/Yield stress=245", "Time step=5e-3", "End time=1")
+    slump = front("Fluids/fluid/Bingham/Yield stress=245", "Time step=5e-3", "End time=1")
     check.below("a twentieth of the width over the way of the front, 0.25 rho g H", 0.05 * WIDTH / slump[-1], 1.)
     check.below("... its way since 0.5 s over the width", (slump[-1] - slump[len(slump) // 2]) / WIDTH, 5e-3)
     check.finish()

@@ -46,7 +46,7 @@ def measured_frequency(time, tip):
 
 def test_cantilever(check):
     for law in ("hypoelastic", "neo-Hookean"):
-        tip = read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}"))
+        tip = read_run(check.run("elastic_solids/cantilever.prm", f"Solids/beam/Law={law}"))
         check.near(f"{law}, large deflection", tip["tip y (m)"][-1], ELASTICA[0], 0.01)
         check.near(f"{law}, shortening", -tip["tip x (m)"][-1], ELASTICA[1], 0.01)
 
@@ -55,12 +55,12 @@ def test_cantilever_in_space(check):
     """A square rod: with nu = 0 it bends as the plane beam under the same traction."""
 
     def tip(law, solver):
-        return read_run(check.run("elastic_solids/cantilever.prm", f"Solids/Solid 1/Law={law}", f"Linear solver/Type={solver}",
+        return read_run(check.run("elastic_solids/cantilever.prm", f"Solids/beam/Law={law}", f"Linear solver/Type={solver}",
                                   "Dimension=3", "Gravity=0, 0, 0", "End time=1e5", "Output interval=1e5",
-                                  "Solids/Solid 1/Box=0, 0, 0 : 1, 0.02, 0.02", "Solids/Solid 1/Elements=30, 1, 1",
-                                  "Solids/Solid 1/Clamped=0, 0, 0 : 0, 0.02, 0.02",
-                                  "Solids/Solid 1/Loaded=1, 0, 0 : 1, 0.02, 0.02",
-                                  "Solids/Solid 1/Traction=0; 0; 100*min(1, t/1e5)",
+                                  "Solids/beam/box/Corners=0, 0, 0 : 1, 0.02, 0.02", "Solids/beam/box/Elements=30, 1, 1",
+                                  "Solids/beam/Clamped=0, 0, 0 : 0, 0.02, 0.02",
+                                  "Solids/beam/Loaded=1, 0, 0 : 1, 0.02, 0.02",
+                                  "Solids/beam/Traction=0; 0; 100*min(1, t/1e5)",
                                   "Postprocess/Solid points/Points=tip: 1, 0.01, 0.01"))
 
     # Multigrid that does not know the rotations fails in the first step.
@@ -76,7 +76,7 @@ def test_pressure(check):
 
     def tip(degree, n):
         run = read_run(check.run("elastic_solids/barrier_pressure.prm", f"Solids/Degree={degree}",
-                                 f"Solids/Solid 1/Elements={n}, {7 * n}"))
+                                 f"Solids/barrier/box/Elements={n}, {7 * n}"))
         return run["tip x (m)"][-1]
 
     check.near("quadratic elements, one through the thickness", tip(2, 1), exact, 0.01)
@@ -105,9 +105,9 @@ def test_vibration(check):
 
     # A square prism in space.
     run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Dimension=3", "Gravity=0, 0, 0",
-                             "Solids/Solid 1/Box=0, 0, 0 : 0.012, 0.012, 0.08", "Solids/Solid 1/Elements=1, 1, 7",
-                             "Solids/Solid 1/Clamped=0, 0, 0 : 0.012, 0.012, 0",
-                             "Solids/Solid 1/Initial velocity=" + mode("z") + "; 0; 0",
+                             "Solids/barrier/box/Corners=0, 0, 0 : 0.012, 0.012, 0.08", "Solids/barrier/box/Elements=1, 1, 7",
+                             "Solids/barrier/Clamped=0, 0, 0 : 0.012, 0.012, 0",
+                             "Solids/barrier/Initial velocity=" + mode("z") + "; 0; 0",
                              "Postprocess/Solid points/Points=tip: 0.006, 0.006, 0.08", "End time=0.85",
                              "Time step=4e-3"))
     check.near("first frequency of a prism in space", measured_frequency(run["Time (s)"], run["tip x (m)"]), timoshenko, 0.01)
@@ -115,8 +115,8 @@ def test_vibration(check):
     check.below("its energy over five periods", np.ptp(energy) / energy[0], 1e-3)
 
     # A slender one, to which the theory without shear applies.
-    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/Solid 1/Box=0, 0 : 0.003, 0.08",
-                             "Solids/Solid 1/Elements=1, 20", "Solids/Solid 1/Clamped=0, 0 : 0.003, 0",
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/barrier/box/Corners=0, 0 : 0.003, 0.08",
+                             "Solids/barrier/box/Elements=1, 20", "Solids/barrier/Clamped=0, 0 : 0.003, 0",
                              "Postprocess/Solid points/Points=tip: 0, 0.08", "End time=3", "Time step=4e-3"))
     check.near("first frequency of a slender barrier", measured_frequency(run["Time (s)"], run["tip x (m)"]),
                timoshenko_frequency(YOUNG, DENSITY, HEIGHT, 0.003)[1], 0.01)
@@ -125,9 +125,9 @@ def test_vibration(check):
 def test_driven_foot(check):
     """A foot that is accelerated from rest: the tip lags behind by the deflection under the weight rho a."""
     acceleration, period = 0.1, 1. / timoshenko_frequency(YOUNG, DENSITY, HEIGHT, THICKNESS)[0]
-    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/Solid 1/Clamped=",
-                             "Solids/Solid 1/Driven=0, 0 : 0.012, 0", "Solids/Solid 1/Initial velocity=1; 0",
-                             f"Solids/Solid 1/Driving velocity=1 + {acceleration}*t; 0",
+    run = read_run(check.run("elastic_solids/barrier_vibration.prm", "Solids/barrier/Clamped=",
+                             "Solids/barrier/Driven=0, 0 : 0.012, 0", "Solids/barrier/Initial velocity=1; 0",
+                             f"Solids/barrier/Driving velocity=1 + {acceleration}*t; 0",
                              f"End time={6. * period:.6g}", f"Time step={period / 100.:.6g}",
                              f"Output interval={6. * period:.6g}",
                              "Postprocess/Solid points/Points=tip: 0.006, 0.08; foot: 0.006, 0"))
@@ -141,7 +141,7 @@ def test_driven_foot(check):
 
 def test_flight(check):
     for law in ("hypoelastic", "neo-Hookean"):
-        run = read_run(check.run("elastic_solids/flying_block.prm", f"Solids/Solid 1/Law={law}"))
+        run = read_run(check.run("elastic_solids/flying_block.prm", f"Solids/block/Law={law}"))
         time = run["Time (s)"]
         # The rule is exact for constant acceleration; the node in the middle vibrates a little about the centre of mass.
         path = np.hypot(run["centre x (m)"] - time, run["centre y (m)"] - (2. * time - 4.905 * time**2))
@@ -159,19 +159,19 @@ def test_hydrostatic_wall(check):
     forces = []
     for h, n in ((0.01, 12), (0.005, 24)):
         run = read_run(check.run("elastic_solids/hydrostatic_wall.prm", f"Mesh size={h}",
-                                 f"Solids/Solid 1/Elements=1, {n}"))
-        forces.append(-run["Solid 1 support force x (N)"][-1])
+                                 f"Solids/wall/box/Elements=1, {n}"))
+        forces.append(-run["wall support force x (N)"][-1])
     check.near("deflection at the water's level", run["level x (m)"][-1], level, 0.01)
     print(f"  force {forces[0]:.2f} and {forces[1]:.2f} N; without the cell in the corner below, first order in h")
     check.near("force on the wall, extrapolated", 2. * forces[1] - forces[0], 0.5 * bottom * depth, 0.01)
-    check.below("support and fluid balance (N)", abs(forces[1] - run["Solid 1 fluid force x (N)"][-1]), 0.05)
+    check.below("support and fluid balance (N)", abs(forces[1] - run["wall fluid force x (N)"][-1]), 0.05)
 
 
 def test_floating_block(check):
     # At rest to 1 % from 1.3 s on.
     run = read_run(check.run("elastic_solids/floating_block.prm", "Time step=4e-3", "End time=1.8"))
     weight, height, length, width, h = 500. * 0.1 * 0.05 * 9.81, 0.05, 0.1, 0.4, 0.01
-    force = run["Solid 1 fluid force y (N)"][-25:]
+    force = run["block fluid force y (N)"][-25:]
     check.near("buoyancy of a floating block against its weight", force.mean(), weight, 0.01)
     # The fluid's volume (and the two corners without a cell) and half of the block fill the tank up to the level.
     level = (run["Fluid volume (m^dim)"][-1] + 2. * 0.5 * h**2 + 0.5 * length * height) / width

@@ -45,8 +45,8 @@ def tilted_tank(angle, level):
                 fluid.append(tuple(a + part * (b - a) for a, b in zip(low, high)))
     faces = [[bits for bits in corners if bits[d] == side] for d, side in ((2, 0), (1, 0), (1, 1), (0, 0), (0, 1))]
     walls = [line([corners[face[k]] for k in (0, 1, 3, 2)]) for face in faces]
-    return ("Geometry/Fluid boxes=", f"Geometry/Fluid polyhedra={line(fluid)}",
-            f"Geometry/No-slip walls={'; '.join(walls)}")
+    return ("Fluids/fluid/Shape=convex", f"Fluids/fluid/convex/Corners={line(fluid)}",
+            f"Boundaries/walls/polygon/Corners={'; '.join(walls)}")
 
 
 def test_still_tanks(check):
