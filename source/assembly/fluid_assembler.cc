@@ -2,7 +2,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/assembly/residual_projection.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/facet_geometry.h>
 #include <lahar/boundary/solid_contour.h>
+#include <lahar/geometry/facet_geometry.h>
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/graded_points.h>
 #include <lahar/geometry/lattice.h>
 #include <lahar/geometry/point_set.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/facet_geometry.h>
+#include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/lattice.h>
 #include <lahar/geometry/mesh_body.h>
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include <algorithm>
 #include <cmath>

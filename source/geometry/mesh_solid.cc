@@ -3,8 +3,8 @@
 #include <lahar/geometry/fluid_body.h>
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/mesh_entries.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/geometry/solid_shape.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
 namespace Lahar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/point_lists.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/postprocess/postprocessor.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
 #include <limits>

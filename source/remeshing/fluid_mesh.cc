@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/fluid_mesh.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
 #include <algorithm>

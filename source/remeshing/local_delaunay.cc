@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/far_points.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/point_tree.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <memory>
 

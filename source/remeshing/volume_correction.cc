@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/connected_parts.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/remeshing/volume_correction.h>
 
 #include <algorithm>

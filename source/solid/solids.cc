@@ -4,8 +4,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <lahar/boundary/walls.h>
 #include <lahar/geometry/gmsh_file.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/solid/solids.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/particles/particle_cloud.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include <algorithm>
 #include <numeric>

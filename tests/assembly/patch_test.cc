@@ -6,7 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "assembly/stokes.h"
 

@@ -5,7 +5,7 @@
 // it does not. Where there is no stress, nothing is projected.
 
 #include <lahar/assembly/residual_projection.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "assembly/film.h"
 #include "assembly/stokes.h"

@@ -6,7 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/assembly/terms.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "tests.h"
 

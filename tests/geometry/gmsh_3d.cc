@@ -5,8 +5,8 @@
 
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/point_set.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/geometry/solid_shape.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/factory.h>
 
 #include "initial_case.h"

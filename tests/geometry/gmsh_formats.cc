@@ -5,7 +5,7 @@
 // too early or have wrong bytes are refused.
 
 #include <lahar/geometry/gmsh_file.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "../tests.h"
 

@@ -5,7 +5,7 @@
 
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "initial_case.h"
 

@@ -5,7 +5,7 @@
 
 #include <lahar/geometry/plane_polygon.h>
 #include <lahar/geometry/point_set.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "initial_case.h"
 

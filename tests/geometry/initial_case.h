@@ -3,7 +3,7 @@
 #ifndef lahar_tests_initial_case_h
 #define lahar_tests_initial_case_h
 
-#include <lahar/geometry/initial_geometry.h>
+#include <lahar/initial/initial_geometry.h>
 #include <lahar/remeshing/remesher.h>
 
 #include "../tests.h"

@@ -3,10 +3,10 @@
 // Test the mesh size as a function of the place: its values, its gradient, the spacing that particles get from it, and
 // lines, polygons and bodies in space that are filled with it.
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/mesh_size.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/remeshing/delaunay.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include "initial_case.h"
 

@@ -8,8 +8,8 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/linear/direct_solver.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include "tests.h"
 

@@ -6,10 +6,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/assembly/fluid_assembler.h>
+#include <lahar/geometry/delaunay.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/linear/direct_solver.h>
 #include <lahar/linear/iterative_solver.h>
-#include <lahar/remeshing/delaunay.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "tests.h"
 

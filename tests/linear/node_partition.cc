@@ -4,8 +4,8 @@
 // local and global numbers are in the promised order, and updating brings the owners' values to all copies; in 2D and 3D,
 // with two lists of cells, where ranks have heard of all nodes and where they have not, on one rank and on several.
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/linear/node_partition.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include <algorithm>
 #include <cstdint>

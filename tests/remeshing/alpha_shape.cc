@@ -6,8 +6,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/geometry/polygon.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/remesher.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "plain_region.h"
 

@@ -8,8 +8,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/particle_spacing.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "tests.h"
 

@@ -5,8 +5,8 @@
 // very different density, points far away, flat simplices of bent surfaces between two bodies; in 2D and 3D, on one rank
 // and on several.
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/local_delaunay.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <algorithm>
 

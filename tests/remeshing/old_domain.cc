@@ -3,8 +3,8 @@
 // Test which simplices outside the old domain lie in a hollow between walls: an edge where a floor and a wall meet, whose
 // four wall particles have a simplex of their own without a fluid corner.
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/old_domain.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "tests.h"
 

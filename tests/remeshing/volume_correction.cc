@@ -3,8 +3,8 @@
 // Test that remeshing keeps the volume of a block whose particles are disturbed, with the plain alpha shape, which
 // changes it most, in two and three dimensions; and that it moves no more than it must.
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/remesher.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "plain_region.h"
 

@@ -6,8 +6,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/assembly/fluid_assembler.h>
-#include <lahar/remeshing/delaunay.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/delaunay.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/simulator/crushed_cells.h>
 
 #include "tests.h"

@@ -5,7 +5,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/assembly/terms.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/simulator/slivers.h>
 
 #include "tests.h"

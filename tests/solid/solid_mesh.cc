@@ -5,9 +5,9 @@
 
 #include <lahar/assembly/solid_assembler.h>
 #include <lahar/boundary/solid_contour.h>
+#include <lahar/geometry/delaunay.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/linear/direct_solver.h>
-#include <lahar/remeshing/delaunay.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include "tests.h"
 

@@ -7,7 +7,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <lahar/assembly/fluid_cell.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include <vector>
 

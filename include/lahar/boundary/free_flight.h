@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_free_flight_h
 #define lahar_boundary_free_flight_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 

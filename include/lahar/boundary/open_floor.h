@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_open_floor_h
 #define lahar_boundary_open_floor_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
 
 #include <string>

@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_slip_condition_h
 #define lahar_boundary_slip_condition_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/linear/node_constraint.h>
 #include <lahar/particles/particle_cloud.h>
 

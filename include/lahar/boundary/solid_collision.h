@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_solid_collision_h
 #define lahar_boundary_solid_collision_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/solid/solid_mesh.h>
 
 #include <optional>

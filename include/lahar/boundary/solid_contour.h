@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_solid_contour_h
 #define lahar_boundary_solid_contour_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
 
 namespace Lahar

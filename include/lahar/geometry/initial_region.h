@@ -4,7 +4,7 @@
 #define lahar_geometry_initial_region_h
 
 #include <lahar/geometry/fluid_body.h>
-#include <lahar/remeshing/simplex_geometry.h>
+#include <lahar/geometry/simplex_geometry.h>
 
 #include <memory>
 #include <vector>

@@ -3,9 +3,9 @@
 #ifndef lahar_geometry_mesh_body_h
 #define lahar_geometry_mesh_body_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/fluid_body.h>
-#include <lahar/remeshing/delaunay.h>
+#include <lahar/geometry/walls.h>
 
 namespace Lahar
 {

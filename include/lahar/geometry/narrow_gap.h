@@ -3,8 +3,8 @@
 #ifndef lahar_geometry_narrow_gap_h
 #define lahar_geometry_narrow_gap_h
 
-#include <lahar/boundary/walls.h>
 #include <lahar/geometry/mesh_size.h>
+#include <lahar/geometry/walls.h>
 
 #include <functional>
 #include <optional>

@@ -3,8 +3,8 @@
 #ifndef lahar_geometry_wall_shape_h
 #define lahar_geometry_wall_shape_h
 
-#include <lahar/boundary/walls.h>
 #include <lahar/geometry/mesh_size.h>
+#include <lahar/geometry/walls.h>
 
 #include <string>
 #include <vector>

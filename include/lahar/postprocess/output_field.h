@@ -6,8 +6,8 @@
 #include <deal.II/lac/vector.h>
 
 #include <lahar/assembly/fluid_cell.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/postprocess/postprocessor.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <limits>
 #include <memory>

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/table_handler.h>
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/material/fluid_law.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/postprocess/time_means.h>

@@ -3,7 +3,7 @@
 #ifndef lahar_postprocess_wall_output_h
 #define lahar_postprocess_wall_output_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 
 #include <ostream>
 

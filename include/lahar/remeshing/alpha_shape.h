@@ -3,11 +3,11 @@
 #ifndef lahar_remeshing_alpha_shape_h
 #define lahar_remeshing_alpha_shape_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/delaunay.h>
+#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
-#include <lahar/remeshing/delaunay.h>
 #include <lahar/remeshing/old_domain.h>
-#include <lahar/remeshing/simplex_geometry.h>
 #include <lahar/utilities/parameters.h>
 
 namespace Lahar

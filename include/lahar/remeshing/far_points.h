@@ -3,9 +3,9 @@
 #ifndef lahar_remeshing_far_points_h
 #define lahar_remeshing_far_points_h
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/point_tree.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <map>
 #include <memory>

@@ -3,7 +3,7 @@
 #ifndef lahar_remeshing_first_mesh_check_h
 #define lahar_remeshing_first_mesh_check_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
 

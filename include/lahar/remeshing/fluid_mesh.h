@@ -10,8 +10,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <lahar/geometry/delaunay.h>
 #include <lahar/particles/particle_cloud.h>
-#include <lahar/remeshing/delaunay.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #ifndef lahar_remeshing_harmful_midpoints_h
 #define lahar_remeshing_harmful_midpoints_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 

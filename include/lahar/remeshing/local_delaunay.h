@@ -3,7 +3,7 @@
 #ifndef lahar_remeshing_local_delaunay_h
 #define lahar_remeshing_local_delaunay_h
 
-#include <lahar/remeshing/delaunay.h>
+#include <lahar/geometry/delaunay.h>
 #include <lahar/remeshing/migration.h>
 
 #include <functional>

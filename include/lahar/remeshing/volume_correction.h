@@ -3,7 +3,7 @@
 #ifndef lahar_remeshing_volume_correction_h
 #define lahar_remeshing_volume_correction_h
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/old_domain.h>

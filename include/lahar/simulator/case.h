@@ -3,8 +3,8 @@
 #ifndef lahar_simulator_case_h
 #define lahar_simulator_case_h
 
-#include <lahar/geometry/initial_geometry.h>
 #include <lahar/geometry/mesh_size.h>
+#include <lahar/initial/initial_geometry.h>
 #include <lahar/remeshing/domain_limit.h>
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/utilities/case_structure.h>

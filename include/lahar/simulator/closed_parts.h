@@ -3,9 +3,9 @@
 #ifndef lahar_simulator_closed_parts_h
 #define lahar_simulator_closed_parts_h
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/linear/node_constraint.h>
 #include <lahar/linear/node_partition.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <vector>
 

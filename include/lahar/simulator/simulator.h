@@ -6,7 +6,7 @@
 #include <deal.II/base/timer.h>
 
 #include <lahar/boundary/solid_contour.h>
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>

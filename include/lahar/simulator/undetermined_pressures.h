@@ -3,8 +3,8 @@
 #ifndef lahar_simulator_undetermined_pressures_h
 #define lahar_simulator_undetermined_pressures_h
 
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/linear/block_system.h>
-#include <lahar/remeshing/simplex_geometry.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_geometry_boundary_h
-#define lahar_geometry_boundary_h
+#ifndef lahar_initial_boundary_h
+#define lahar_initial_boundary_h
 
 #include <lahar/boundary/surface_law.h>
 #include <lahar/geometry/boundary_shape.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_remeshing_simplex_geometry_h
-#define lahar_remeshing_simplex_geometry_h
+#ifndef lahar_geometry_simplex_geometry_h
+#define lahar_geometry_simplex_geometry_h
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <lahar/remeshing/delaunay.h>
+#include <lahar/geometry/delaunay.h>
 
 #include <array>
 #include <cmath>

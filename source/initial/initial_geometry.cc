@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/facet_geometry.h>
-#include <lahar/geometry/initial_geometry.h>
+#include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/point_set.h>
+#include <lahar/initial/initial_geometry.h>
 
 #include <algorithm>
 #include <limits>

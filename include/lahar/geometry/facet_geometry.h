@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_boundary_facet_geometry_h
-#define lahar_boundary_facet_geometry_h
+#ifndef lahar_geometry_facet_geometry_h
+#define lahar_geometry_facet_geometry_h
 
 #include <deal.II/base/point.h>
 

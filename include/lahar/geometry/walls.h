@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_boundary_walls_h
-#define lahar_boundary_walls_h
+#ifndef lahar_geometry_walls_h
+#define lahar_geometry_walls_h
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>

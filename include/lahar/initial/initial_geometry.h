@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_geometry_initial_geometry_h
-#define lahar_geometry_initial_geometry_h
+#ifndef lahar_initial_initial_geometry_h
+#define lahar_initial_initial_geometry_h
 
 #include <lahar/boundary/solid_contour.h>
-#include <lahar/geometry/boundary.h>
-#include <lahar/geometry/fluid.h>
 #include <lahar/geometry/initial_region.h>
 #include <lahar/geometry/narrow_gap.h>
+#include <lahar/initial/boundary.h>
+#include <lahar/initial/fluid.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/case_structure.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/boundary.h>
 #include <lahar/geometry/fluid_body.h>
 #include <lahar/geometry/gmsh_file.h>
+#include <lahar/initial/boundary.h>
 #include <lahar/utilities/factory.h>
 
 namespace Lahar

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/fluid.h>
+#include <lahar/initial/fluid.h>
 #include <lahar/utilities/factory.h>
 #include <lahar/utilities/vector_function.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/initial_geometry.h>
+#include <lahar/initial/initial_geometry.h>
 #include <lahar/material/newtonian.h>
 #include <lahar/utilities/factory.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_geometry_fluid_h
-#define lahar_geometry_fluid_h
+#ifndef lahar_initial_fluid_h
+#define lahar_initial_fluid_h
 
 #include <deal.II/base/function_parser.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_remeshing_delaunay_h
-#define lahar_remeshing_delaunay_h
+#ifndef lahar_geometry_delaunay_h
+#define lahar_geometry_delaunay_h
 
 #include <deal.II/base/point.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/facet_geometry.h>
+#include <lahar/geometry/facet_geometry.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/walls.h>
+#include <lahar/geometry/walls.h>
 
 namespace Lahar
 {
