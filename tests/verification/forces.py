@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Forces of the fluid: at rest the walls carry its weight, each boundary its part of it; in a dam break against an elastic barrier all forces, the
-weight and the account of what remeshing changes sum up to the change of momentum; columns of means are the means.
+"""Forces of the fluid: at rest the walls carry its weight, each boundary its part of it; in a dam break against an elastic
+barrier all forces, the weight and the account of what remeshing changes sum up to the change of momentum; columns of
+means are the means.
 """
 
 import numpy as np
