@@ -17,7 +17,7 @@ namespace Lahar
 
     std::string wall(const std::string &shape, const std::string &entry, const std::string &law)
     {
-      return part("Boundaries", shape, entry) + " and '/Law = " + law + "'";
+      return part("Boundaries", shape, entry) + " and 'Boundaries/NAME/Law = " + law + "'";
     }
 
     const std::map<std::string, std::string> &renamed()

@@ -73,7 +73,32 @@ def check_scripts():
             check(f"{path.relative_to(ROOT)}: bash reads it", result.returncode == 0, result.stderr)
 
 
+def check_rooms():
+    """Folders of the library include each other without a circle, and those that doc/architecture.md has."""
+    includes = {}
+    for path in [*(ROOT / "include/lahar").glob("*/*.h"), *(ROOT / "source").glob("*/*.cc")]:
+        room = includes.setdefault(path.parent.name, set())
+        room |= set(re.findall(r"#include <lahar/(\w+)/", path.read_text(encoding="utf-8"))) - {path.parent.name}
+    check("rooms are found", len(includes) > 8)
+    left = dict(includes)
+    while any(not (below & left.keys()) for below in left.values()):
+        left = {room: below for room, below in left.items() if below & left.keys()}
+    check("no circle among the rooms", not left, left)
+    page = (ROOT / "doc/architecture.md").read_text(encoding="utf-8").split("## Rooms")[1].split("##")[0]
+    rows = [set(re.findall(r"`(\w+)`", row.split("|")[1])) for row in page.splitlines() if row.startswith("| `")]
+    check("doc/architecture.md has all rooms", set().union(*rows) == includes.keys(), set().union(*rows) ^ includes.keys())
+    above, wrong = set(), []
+    for row in rows:
+        wrong += [(room, other) for room in row for other in includes.get(room, set()) if other in above]
+        above |= row
+    check("... and arrows go down only", not wrong, wrong)
+    check("no file has more than 400 lines", not (long := [
+        path.name for path in [*(ROOT / "include").rglob("*.h"), *(ROOT / "source").rglob("*.cc")]
+        if path.read_text(encoding="utf-8").count("\n") > 400]), long)
+
+
 check_links()
 check_yaml()
+check_rooms()
 check_scripts()
 sys.exit(1 if failed else 0)
