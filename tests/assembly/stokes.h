@@ -31,7 +31,7 @@ namespace Tests
       std::vector<Point<dim>> positions;
       for (const unsigned int particle : whole.particles())
         positions.push_back(cloud.position[particle]);
-      system.reinit(whole.n_vertices(), whole.cells(), 0, {}, 0, positions);
+      system.reinit(whole.n_vertices(), whole.cells(), {}, positions);
       mesh.reinit_part(whole, system.partition().nodes(), system.cells());
       const unsigned int n = mesh.n_vertices();
       for (unsigned int v = 0; v < n; ++v)
