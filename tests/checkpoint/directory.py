@@ -271,26 +271,27 @@ def test_files(parent):
     text = TOP + parts("Fluids", {"fluid": mesh("column.msh", "fluid")}) + \
         parts("Boundaries", {"walls": mesh("column.msh", "walls")})
     case = new_case(parent, "case", text)
-    mesh = os.path.join(case, "column.msh")
-    shutil.copy(MESH, mesh)
+    file_name = os.path.join(case, "column.msh")
+    shutil.copy(MESH, file_name)
     process = run(case, "--set", "End time=0.01")
     check("a run with a mesh file succeeds", process.returncode == 0, process.err)
-    with open(mesh) as file:
+    with open(file_name) as file:
         good = file.read()
     place = good.index("$Nodes")
-    with open(mesh, "w") as file:
+    with open(file_name, "w") as file:
         file.write(good[:place] + good[place:].replace("0.146 0.292 0", "0.1461 0.292 0", 1))
     before = all_files(os.path.join(case, "out"))
     process = run(case, "--resume")
     check("a changed one: status 2", process.returncode == 2, process.returncode, process.err)
-    check("... entry and file are named", "'Geometry/Mesh file'" in process.err and "column.msh" in process.err
+    check("... entry and file are named", "/mesh/File'" in process.err and "column.msh" in process.err
           and "changed" in process.err, process.err)
     check("... files are left alone", before == all_files(os.path.join(case, "out")))
-    os.remove(mesh)
+    os.remove(file_name)
     os.mkdir(os.path.join(case, "meshes"))
     with open(os.path.join(case, "meshes", "column.msh"), "w") as file:
         file.write(good)
-    process = run(case, "--resume", "--set", "Geometry/Mesh file=meshes/column.msh")
+    process = run(case, "--resume", "--set", "Fluids/fluid/mesh/File=meshes/column.msh", "--set",
+                  "Boundaries/walls/mesh/File=meshes/column.msh")
     check("the good one in another place: status 0", process.returncode == 0, process.err)
 
 

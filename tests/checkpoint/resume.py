@@ -222,7 +222,7 @@ def test_damaged(parent):
             ("truncated", good[:middle], "bytes of data"), ("cut in its header", good[:30], "truncated or corrupted"),
             ("with a byte changed", flipped, "checksum is wrong"), ("empty", b"", "is no checkpoint"),
             ("foreign", b"something else\n" * 100, "is no checkpoint"),
-            ("of an older format", good.replace(b"version 5", b"version 4", 1), "format version 4"),
+            ("of an older format", re.sub(rb"version \d+", b"version 4", good, count=1), "format version 4"),
             ("of another run by its header", good.replace(b"run ", b"run 0", 1), "checksum is wrong"),
             ("too long", good + b"x", "bytes of data")]:
         with open(state, "wb") as file:

@@ -65,7 +65,7 @@ void test_fluid(const std::string &name, const Parts &parts, const double h)
 void test_solid(const std::string &file)
 {
   Parameters prm;
-  Factory<SolidShape<3>>::declare_choice(prm, "Shape", "mesh", "");
+  Factory<SolidShape<3>>::declare_models(prm, "Shape", "mesh", "");
   prm.enter_subsection("mesh");
   for (const auto &[entry, value] : mesh_of(file, "block"))
     prm.set(entry, value);
