@@ -232,6 +232,8 @@ def test_refused():
     refused("unknown group of a solid", ["'wood'", "'fluid'"], "--set", "Solids=beam", *mesh("Solids/beam/", MESH, "wood"))
     refused("a solid of two groups", ["'Solids/beam/mesh/Groups'", "left, right", "one group"], "--set", "Solids=beam",
             *mesh("Solids/beam/", MESH, "left, right"))
+    refused("two columns of one name", ["'walls force x (N)'", "Allowed: different names"],
+            *set_entry("Postprocess/Wall forces/Boxes", "walls: -1, -1 : 1, 1"))
     refused("gauge outside the solids", ["Postprocess/Solid points/Points", "tip", "Allowed"], *solid(beside), "--set",
             "Postprocess/Solid points/Points=tip: 0.5, 0.5")
 
@@ -299,6 +301,8 @@ def test_names():
                 text=(TOP + COLUMN if kind != "Fluids" else TOP) + "set %s = part\n" % kind)
     refused("a name of the list that was there before", ["'Fluids/fluid'", "'set Fluids = water'"],
             text=TOP + COLUMN + "set Fluids = water\n")
+    refused("a list behind its subsections", ["'Fluids/other'", "'set Fluids = water'"],
+            text=TOP + section("Fluids", section("other", "")) + "set Fluids = water\n")
     refused("a solid with the name of an entry", ["'Solids'", "'Degree'", "entry", "Allowed: another name"],
             text=TOP + parts("Solids", {"Degree": shape("box", "Corners = 0, 0 : 1, 1")}))
 
