@@ -30,7 +30,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "input"))
 
 import disturbances  # noqa: E402
-import fuzz  # noqa: E402
+import mutations  # noqa: E402
 from attempt import Attempt  # noqa: E402
 from cases import Statistics, random_case  # noqa: E402
 
@@ -186,9 +186,9 @@ class Trial:
 
     def mutate(self, text):
         lines = text.split(b"\n")
-        words = sorted({match.encode() for match in fuzz.WORD.findall(text.decode())})
-        random.seed(self.random.random())  # of fuzz.py
-        return fuzz.Mutator(words, lines).mutate(text)
+        words = sorted({match.encode() for match in mutations.WORD.findall(text.decode())})
+        random.seed(self.random.random())  # of mutations.py
+        return mutations.Mutator(words, lines).mutate(text)
 
 
 def main():
