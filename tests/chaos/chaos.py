@@ -35,7 +35,7 @@ from attempt import Attempt  # noqa: E402
 from cases import Statistics, random_case  # noqa: E402
 
 TOLERANCE = 1e-5
-PATIENCE = 300.  # seconds that an attempt may take on a busy machine; undisturbed ones take less than ten
+PATIENCE = 300.  # seconds that an attempt may take, beside what others take of the processors; undisturbed less than ten
 GRACE = 60.      # seconds until no process is left of one that has ended
 
 
@@ -83,7 +83,7 @@ class Trial:
     def finish(self, attempt, disturbance):
         """Wait for the end. @return the status. @throws Failure"""
         try:
-            if not attempt.wait(PATIENCE) or not attempt.wait_for_others(GRACE):
+            if not attempt.wait_patiently(PATIENCE) or not attempt.wait_for_others(GRACE):
                 raise Failure("hang: no end after '%s'" % disturbance.name)
             status = attempt.process.returncode
             self.history[-1] += ", %s: status %d %s" % (disturbance.name, status, attempt.message())
