@@ -69,7 +69,8 @@ def find_cases():
     cases = []
     for path in sorted([*ROOT.glob("prm/**/*.prm"), *ROOT.glob("tests/rough/*.prm")]):
         text = path.read_bytes()
-        files = {name.decode(): (path.parent / name.decode()).read_bytes() for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
+        files = {name.decode(): (path.parent / name.decode()).read_bytes()
+                 for name in re.findall(rb"Mesh file *= *(\S+\.msh)", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
     # The column lies in the plane, the basin in space; the first attempt of coarsen() works with these sizes.
     for pattern, dimension, size, floor in (("column*", b"2", b"0.02", b"0, 0 : 1, 0"),
@@ -155,14 +156,19 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("lahar", type=os.path.abspath)
     parser.add_argument("--server", type=os.path.abspath, help="the program that reads the inputs instead")
-    parser.add_argument("--compare", type=int, default=100, help="with --server: lahar reads every so many inputs (%(default)s)")
-    parser.add_argument("--batch", type=int, default=50, help="how many inputs a child of the server reads (%(default)s)")
+    parser.add_argument("--compare", type=int, default=100,
+                        help="with --server: lahar reads every so many inputs (%(default)s)")
+    parser.add_argument("--batch", type=int, default=50,
+                        help="how many inputs a child of the server reads (%(default)s)")
     parser.add_argument("--number", type=int, default=70, help="of mutated inputs (%(default)s)")
+    parser.add_argument("--minutes", type=float, help="after which no other input is read")
     parser.add_argument("--first", type=int, default=0, help="number of the first one (%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the random numbers (%(default)s)")
     parser.add_argument("--seconds", type=float, default=60., help="that one run may take (%(default)g)")
-    parser.add_argument("--memory", type=float, default=4., help="address space of one run in GiB, 0: unlimited (%(default)g)")
-    parser.add_argument("--largest", type=int, default=30000, help="number of particles, and of solids' nodes (%(default)s)")
+    parser.add_argument("--memory", type=float, default=4.,
+                        help="address space of one run in GiB, 0: unlimited (%(default)g)")
+    parser.add_argument("--largest", type=int, default=30000,
+                        help="number of particles, and of solids' nodes (%(default)s)")
     parser.add_argument("--keep", type=pathlib.Path, help="directory for the inputs that fail")
     parser.add_argument("--messages", action="store_true", help="print how often each kind of message appears")
     return parser.parse_args()
@@ -196,8 +202,11 @@ def main():
 
     n_wrong, n_slow, n_compared = 0, 0, 0
     statuses, messages = collections.Counter(), collections.Counter()
-    longest, begin = (0., ""), time.monotonic()
+    longest, begin, n_read = (0., ""), time.monotonic(), 0
     for number in range(arguments.first, arguments.first + arguments.number):
+        if arguments.minutes and time.monotonic() - begin > 60. * arguments.minutes:
+            break
+        n_read += 1
         random.seed("%d-%d" % (arguments.seed, number))
         case = random.choice(cases)
         if not case.is_ready:
@@ -215,7 +224,8 @@ def main():
             other = difference(result, patiently(program, files)[0])
         if wrong or other:
             n_wrong += 1
-            print("FAILED: seed %d, number %d, %s of %s: %s" % (arguments.seed, number, name, case.name, wrong or other))
+            print("FAILED: seed %d, number %d, %s of %s: %s" % (
+                arguments.seed, number, name, case.name, wrong or other))
             print("    " + result.err[:600].replace("\n", "\n    "), flush=True)
             if wrong and other:
                 print("    not with lahar itself: %s" % other, flush=True)
@@ -228,7 +238,7 @@ def main():
     seconds = time.monotonic() - begin
     reader.close()
     print("%d inputs, seed %d, in %.0f s (%.1f a second): %s; the longest run took %.1f s (%s)" % (
-        arguments.number, arguments.seed, seconds, arguments.number / seconds,
+        n_read, arguments.seed, seconds, n_read / seconds,
         ", ".join("%d with status %s" % (statuses[status], status) for status in sorted(statuses, key=str)), *longest))
     if n_compared > 0:
         print("%d compared with lahar itself" % n_compared)
