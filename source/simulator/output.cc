@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/postprocess/statistics_line.h>
+#include <lahar/postprocess/wall_output.h>
 #include <lahar/simulator/simulator.h>
-#include <lahar/utilities/ranks.h>
-
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/failure.h>
+#include <lahar/utilities/ranks.h>
 
 #include <filesystem>
 #include <sstream>
@@ -38,6 +39,7 @@ namespace Lahar
     });
     progress = std::make_unique<Progress>(communicator, parameters.output_directory, parameters.start_time,
                                           parameters.end_time, earlier_wall_time);
+    set_failure_log(parameters.output_directory + "/log");
     last_checkpoint_wall_time = progress->wall_time();
     if (resumed)
     {
@@ -96,10 +98,16 @@ namespace Lahar
       if (convergence.mend())
         say_mended("convergence");
       std::error_code error;
+      const std::string walls_file = parameters.output_directory + "/walls.vtu";
       if (!std::filesystem::exists(parameters.output_directory + "/parameters.prm", error))
       {
         write_parameters();
         say_mended("parameters.prm");
+      }
+      if (!walls.facets().empty() && !std::filesystem::exists(walls_file, error))
+      {
+        write_atomically(walls_file, [&](std::ostream &file) { write_walls_vtu(walls, file); });
+        say_mended("walls.vtu");
       }
     });
     progress->message(news);
