@@ -163,7 +163,22 @@ namespace Lahar
   template <int dim>
   double MeshBody<dim>::estimate_size(const double h) const
   {
-    return nodes.size() + volume() / std::pow(h, dim) * (dim == 2 ? 1.2 : 1.6);
+    double n = nodes.size() + volume() / std::pow(h, dim) * (dim == 2 ? 1.2 : 1.6);
+    // Spikes have much of a contour and little volume.
+    for (const WallFacet<dim> &facet : facets.facets())
+    {
+      double longest = 0.;
+      for (unsigned int v = 0; v < dim; ++v)
+        longest = std::max(longest, facet.corners[v].distance(facet.corners[(v + 1) % dim]) / h);
+      if (longest <= 1.4)
+        continue;
+      n += longest;
+      if constexpr (dim == 3)
+        n +=
+          0.6 / (h * h) *
+          cross_product_3d(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]).norm();
+    }
+    return n;
   }
 
 

@@ -8,6 +8,8 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/geometry/geometries/segment.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,32 +35,95 @@ namespace Lahar
       return result;
     }
 
-    /// The wanted points of a lattice of equilateral triangles in the box around the contour.
-    std::vector<Point<2>> lattice_inside(const std::vector<Point<2>> &contour, const double h,
-                                         const PointFilter<2> &is_wanted)
+    /// What is left of the contour when the points of a lattice are looked for, over h.
+    constexpr double clearance = 0.55;
+
+    /// A lattice of equilateral triangles in the box around a contour.
+    class ContourLattice
     {
-      double lower[2], upper[2];
-      for (unsigned int d = 0; d < 2; ++d)
+    public:
+      ContourLattice(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth, const double h,
+                     const PointFilter<2> &is_wanted)
+        : depth(depth)
+        , h(h)
+        , is_wanted(is_wanted)
       {
-        lower[d] = upper[d] = contour[0][d];
-        for (const Point<2> &p : contour)
+        double lower[2], upper[2];
+        for (unsigned int d = 0; d < 2; ++d)
         {
-          lower[d] = std::min(lower[d], p[d]);
-          upper[d] = std::max(upper[d], p[d]);
+          lower[d] = upper[d] = contour[0][d];
+          for (const Point<2> &p : contour)
+          {
+            lower[d] = std::min(lower[d], p[d]);
+            upper[d] = std::max(upper[d], p[d]);
+          }
         }
+
+        const double row_height = std::sqrt(0.75) * h;
+        for (unsigned int row = 0; row == 0 || lower[1] + row * row_height < upper[1]; ++row)
+          y.push_back(lower[1] + row * row_height);
+        for (const unsigned int parity : {0, 1})
+          for (double place = lower[0] + (parity == 1 ? 0.5 : 1.) * h; place < upper[0] && place + h > place;
+               place += h)
+            x[parity].push_back(place);
       }
 
-      const double row_height = std::sqrt(0.75) * h;
-      std::vector<Point<2>> points;
-      for (unsigned int row = 1; lower[1] + row * row_height < upper[1]; ++row)
-        for (double x = lower[0] + (row % 2 ? 0.5 : 1.) * h; x < upper[0]; x += h)
+      /// The wanted points that are deep enough.
+      std::vector<Point<2>> points()
+      {
+        places.clear();
+        search({{1, 0}}, {{static_cast<unsigned int>(y.size()), static_cast<unsigned int>(x[1].size())}});
+        std::sort(places.begin(), places.end());
+        std::vector<Point<2>> result;
+        for (const Place &place : places)
+          result.push_back(point(place));
+        return result;
+      }
+
+    private:
+      using Place = std::array<unsigned int, 2>; ///< row and number in it
+
+      /// So many places are looked at one by one.
+      static constexpr double n_few = 64.;
+
+      Point<2> point(const Place &place) const
+      {
+        return {x[place[0] % 2][place[1]], y[place[0]]};
+      }
+
+      /// Append what is wanted from @p begin to before @p end. Where the contour is long, thin and oblique, most lies
+      /// outside: parts whose middle is farther outside than any of their points are passed over.
+      void search(const Place &begin, const Place &end)
+      {
+        if (begin[0] >= end[0] || begin[1] >= end[1])
+          return;
+        const unsigned int n[2] = {end[0] - begin[0], end[1] - begin[1]};
+        if (double(n[0]) * n[1] <= n_few)
         {
-          const Point<2> p(x, lower[1] + row * row_height);
-          if (is_wanted(p))
-            points.push_back(p);
+          for (unsigned int row = begin[0]; row < end[0]; ++row)
+            for (unsigned int i = begin[1]; i < end[1] && i < x[row % 2].size(); ++i)
+              if (const Point<2> p = point({{row, i}}); is_wanted(p) && depth(p) > clearance * h)
+                places.push_back({{row, i}});
+          return;
         }
-      return points;
-    }
+        // Even rows begin half a step behind the odd ones.
+        const Point<2> first(x[1][begin[1]], y[begin[0]]), last(x[1][end[1] - 1] + 0.5 * h, y[end[0] - 1]);
+        if (depth(first + 0.5 * (last - first)) < -0.5001 * first.distance(last))
+          return;
+        const unsigned int direction = n[0] > n[1] ? 0 : 1;
+        Place middle = end, next = begin;
+        middle[direction] = next[direction] = begin[direction] + n[direction] / 2;
+        search(begin, middle);
+        search(next, end);
+      }
+
+      const SizeFunction<2> &depth;
+      double h;
+      const PointFilter<2> &is_wanted;
+      std::vector<double> y;                ///< of rows, the first of which has no points
+      std::array<std::vector<double>, 2> x; ///< in even and in odd rows
+      std::vector<Place> places;
+    };
 
     /// Move every point but the first @p n_fixed to the mean of its Delaunay neighbours, a few times. The mean has the
     /// weights h_0/h, h_0 the @p coarsest h, so that edges along a line become proportional to h.
@@ -199,8 +264,7 @@ namespace Lahar
     append_graded_lattice<2>(
       h, levels,
       [&](const double size, const PointFilter<2> &is_wanted) {
-        return lattice_inside(contour, size,
-                              [&](const Point<2> &p) { return is_wanted(p) && depth(p) > 0.55 * size; });
+        return ContourLattice(contour, depth, size, is_wanted).points();
       },
       points);
     smooth(points, contour.size(), h, levels.back());
@@ -214,8 +278,11 @@ namespace Lahar
   {
     return fill_contour(
       sample_polyline(polygon, h, true),
-      [&](const Point<2> &p) { return is_inside(polygon, p) ? distance_to_contour(polygon, p) : -1.; }, h,
-      levels);
+      [&](const Point<2> &p) {
+        const double distance = distance_to_contour(polygon, p);
+        return is_inside(polygon, p) ? distance : -distance;
+      },
+      h, levels);
   }
 
 

@@ -25,7 +25,8 @@ namespace Lahar
                                                  "Time step",         "Minimum time step",
                                                  "Maximum time step", "Largest movement",
                                                  "Output interval",   "Checkpoint/",
-                                                 "Nonlinear solver/", "Linear solver/"};
+                                                 "Nonlinear solver/", "Linear solver/",
+                                                 "Postprocess/Fields"};
 
     bool may_change(const std::string &path)
     {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/postprocess/statistics_line.h>
+#include <lahar/postprocess/wall_output.h>
 #include <lahar/simulator/run_output.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/failure.h>
 #include <lahar/utilities/ranks.h>
 
 #include <filesystem>
@@ -67,6 +69,7 @@ namespace Lahar
     });
     progress = std::make_unique<Progress>(communicator, parameters.output_directory, parameters.start_time,
                                           parameters.end_time, 0.);
+    set_failure_log(parameters.output_directory + "/log");
     progress->message(sizes);
     on_first_rank(communicator, [&] {
       statistics.begin();
@@ -88,6 +91,7 @@ namespace Lahar
     });
     progress = std::make_unique<Progress>(communicator, parameters.output_directory, parameters.start_time,
                                           parameters.end_time, earlier_wall_time);
+    set_failure_log(parameters.output_directory + "/log");
     bool complete = true;
     on_first_rank(communicator, [&] {
       complete = statistics.resume(statistics_size);
@@ -122,7 +126,7 @@ namespace Lahar
 
 
   template <int dim>
-  void RunOutput<dim>::mend()
+  void RunOutput<dim>::mend(const Walls<dim> &walls)
   {
     std::string news;
     on_first_rank(communicator, [&] {
@@ -144,6 +148,12 @@ namespace Lahar
       {
         write_parameters();
         say_mended("parameters.prm");
+      }
+      const std::string walls_file = parameters.output_directory + "/walls.vtu";
+      if (!walls.facets().empty() && !std::filesystem::exists(walls_file, error))
+      {
+        write_atomically(walls_file, [&](std::ostream &file) { write_walls_vtu(walls, file); });
+        say_mended("walls.vtu");
       }
     });
     progress->message(news);
@@ -190,7 +200,7 @@ namespace Lahar
     for (const auto &postprocessor : postprocessors)
       postprocessor->evaluate(snapshot, line);
     add_to_column(line, "Wall time (s)", progress->wall_time());
-    mend();
+    mend(snapshot.walls);
     on_first_rank(communicator, [&] {
       statistics.append((statistics.size() == 0 ? statistics_header(line) : "") + statistics_line(line));
       convergence.append(convergence_lines);

@@ -15,6 +15,7 @@ namespace Lahar
     try
     {
       compute();
+      set_failure_log("");
     }
     catch (...)
     {

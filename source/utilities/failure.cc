@@ -7,6 +7,16 @@
 #include <lahar/utilities/process_start.h>
 #include <lahar/utilities/ranks.h>
 
+#include <fcntl.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <iostream>
 #include <memory>
 #include <new>
 #include <regex>
@@ -17,6 +27,9 @@ namespace Lahar
   namespace
   {
     std::unique_ptr<char[]> reserve;
+
+    /// Of fixed size, for handlers of signals.
+    std::array<char, PATH_MAX> failure_log{};
 
     /// Message and place of an exception of deal.II's, whose what() has the frames, too.
     std::string describe(const ExceptionBase &error)
@@ -73,13 +86,43 @@ namespace Lahar
     }
     catch (...)
     {
-      const Failure failure = Failure::current();
-      fail_on_all_ranks(communicator,
-                        (failure.status == 2 ? "lahar: wrong input. " : "lahar: the run failed. ") +
-                          failure.message,
-                        failure.status);
+      const Failure failure  = Failure::current();
+      const bool is_alone    = !all_ranks_arrive(communicator);
+      const bool is_recorder = is_first_rank(communicator); // its run has written the reason into the log
+      if (is_alone || is_recorder)
+        std::cerr << (failure.status == 2 ? "lahar: wrong input. " : "lahar: the run failed. ")
+                  << failure.message << std::endl;
+      if (is_alone && !is_recorder)
+        log_failure(failure.message.c_str());
+      if (is_alone)
+        MPI_Abort(communicator, failure.status);
       return failure.status;
     }
+  }
+
+
+
+  void set_failure_log(const std::string &file_name)
+  {
+    failure_log.fill(0);
+    if (file_name.size() < failure_log.size())
+      std::copy(file_name.begin(), file_name.end(), failure_log.begin());
+  }
+
+
+
+  void log_failure(const char *reason) noexcept
+  {
+    const int file = failure_log[0] == 0 ? -1 : ::open(failure_log.data(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (file < 0)
+      return;
+    constexpr char begin[] = "The run failed. ", end[] = "\n";
+    const ::iovec parts[] = {{const_cast<char *>(begin), sizeof(begin) - 1},
+                             {const_cast<char *>(reason), std::strlen(reason)},
+                             {const_cast<char *>(end), sizeof(end) - 1}};
+    if (::writev(file, parts, 3) < 0)
+      errno = 0; // it stands on the screen
+    ::close(file);
   }
 
 

@@ -97,6 +97,10 @@ namespace Lahar
   {
     const std::map<std::string, std::string> known = values();
     check_renamed(assignments, known);
+    // Messages say which names there are in the end.
+    for (const Assignment &assignment : assignments)
+      if (!assignment.entry.empty() && name_lists.count(assignment.path()) > 0)
+        set(apart(assignment.entry), assignment.value);
     for (const Assignment &assignment : assignments)
     {
       const std::string entry_path = assignment.path();

@@ -2,6 +2,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <lahar/utilities/failure.h>
 #include <lahar/utilities/process_start.h>
 
 #include <dlfcn.h>
@@ -122,15 +123,19 @@ namespace Lahar
 
     void handle_crash(const int number)
     {
+      const auto tell = [](const char *reason) {
+        say("lahar: the run failed. ");
+        say(reason);
+        say("\n");
+        log_failure(reason);
+      };
       rlimit limit;
       if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
       {
-        say(
-          "lahar: the run failed. There is not enough memory (ulimit -v), and a library has crashed for it.\n");
+        tell("There is not enough memory (ulimit -v), and a library has crashed for it.");
         _exit(1);
       }
-      say(
-        "lahar: the run failed. The program has crashed; option --resume goes on from the last checkpoint.\n");
+      tell("The program has crashed; option --resume goes on from the last checkpoint.");
       std::signal(number, SIG_DFL);
       std::raise(number);
     }
@@ -148,7 +153,7 @@ namespace Lahar
     action.sa_handler = handle_crash;
     action.sa_flags   = SA_ONSTACK | SA_NODEFER;
     if (sigaltstack(&stack, nullptr) == 0)
-      for (const int number : {SIGSEGV, SIGBUS})
+      for (const int number : {SIGSEGV, SIGBUS, SIGABRT}) // the last one: a heap that a library has spoilt
         sigaction(number, &action, nullptr);
   }
 

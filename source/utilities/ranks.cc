@@ -7,14 +7,13 @@
 #include <boost/serialization/utility.hpp>
 
 #include <chrono>
-#include <iostream>
 #include <thread>
 
 namespace Lahar
 {
   namespace
   {
-    /// How long the other ranks have to fail, too.
+    /// How long the other ranks have to arrive.
     constexpr std::chrono::seconds patience(5);
   } // namespace
 
@@ -81,21 +80,18 @@ namespace Lahar
 
 
 
-  void fail_on_all_ranks(const MPI_Comm &communicator, const std::string &message, const int status)
+  bool all_ranks_arrive(const MPI_Comm &communicator)
   {
     MPI_Request request;
     MPI_Ibarrier(communicator, &request);
     const auto start = std::chrono::steady_clock::now();
-    int all_failed   = 0;
-    while (all_failed == 0 && std::chrono::steady_clock::now() - start < patience)
+    int all_are_here = 0;
+    while (all_are_here == 0 && std::chrono::steady_clock::now() - start < patience)
     {
-      MPI_Test(&request, &all_failed, MPI_STATUS_IGNORE);
-      if (all_failed == 0)
+      MPI_Test(&request, &all_are_here, MPI_STATUS_IGNORE);
+      if (all_are_here == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    if (all_failed == 0 || is_first_rank(communicator))
-      std::cerr << message << std::endl;
-    if (all_failed == 0)
-      MPI_Abort(communicator, status);
+    return all_are_here != 0;
   }
 } // namespace Lahar

@@ -24,6 +24,15 @@ def status_word(text):
     return text.rsplit(")", 1)[1].split()[0]
 
 
+def queue_delay(pid):
+    """How long a process could have run, but had no processor, s."""
+    try:
+        with open("/proc/%d/schedstat" % pid) as file:
+            return int(file.read().split()[1]) * 1e-9
+    except (OSError, IndexError):
+        return 0.
+
+
 class Attempt:
     number = 0
 
@@ -78,6 +87,18 @@ class Attempt:
             return True
         except subprocess.TimeoutExpired:
             return False
+
+    def wait_patiently(self, seconds):
+        """Whether it ends in that time, without what its ranks wait for a processor that others have; ten times as long
+        at most."""
+        begin, delays = time.monotonic(), {}
+        while not self.wait(2.):
+            for pid in self.pids():
+                delays[pid] = queue_delay(pid)
+            elapsed = time.monotonic() - begin
+            if elapsed - max(delays.values(), default=0.) > seconds or elapsed > 10. * seconds:
+                return False
+        return True
 
     def wait_for_others(self, seconds):
         """Whether no process is left of it after that time."""

@@ -30,12 +30,12 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "input"))
 
 import disturbances  # noqa: E402
-import fuzz  # noqa: E402
+import mutations  # noqa: E402
 from attempt import Attempt  # noqa: E402
 from cases import Statistics, random_case  # noqa: E402
 
 TOLERANCE = 1e-5
-PATIENCE = 300.  # seconds that an attempt may take on a busy machine; undisturbed ones take less than ten
+PATIENCE = 300.  # seconds that an attempt may take, beside what others take of the processors; undisturbed less than ten
 GRACE = 60.      # seconds until no process is left of one that has ended
 
 
@@ -83,7 +83,7 @@ class Trial:
     def finish(self, attempt, disturbance):
         """Wait for the end. @return the status. @throws Failure"""
         try:
-            if not attempt.wait(PATIENCE) or not attempt.wait_for_others(GRACE):
+            if not attempt.wait_patiently(PATIENCE) or not attempt.wait_for_others(GRACE):
                 raise Failure("hang: no end after '%s'" % disturbance.name)
             status = attempt.process.returncode
             self.history[-1] += ", %s: status %d %s" % (disturbance.name, status, attempt.message())
@@ -186,9 +186,9 @@ class Trial:
 
     def mutate(self, text):
         lines = text.split(b"\n")
-        words = sorted({match.encode() for match in fuzz.WORD.findall(text.decode())})
-        random.seed(self.random.random())  # of fuzz.py
-        return fuzz.Mutator(words, lines).mutate(text)
+        words = sorted({match.encode() for match in mutations.WORD.findall(text.decode())})
+        random.seed(self.random.random())  # of mutations.py
+        return mutations.Mutator(words, lines).mutate(text)
 
 
 def main():

@@ -216,13 +216,13 @@ def test_removed(parent):
     check("the run that is left alone succeeds", run(whole).returncode == 0)
     expected = sorted(all_files(os.path.join(whole, "out")))
 
-    names = ("statistics", "convergence", "log", "parameters.prm", "solution.pvd", "checkpoint/state", "lock")
+    names = ("statistics", "convergence", "log", "parameters.prm", "solution.pvd", "checkpoint/state", "lock", "walls.vtu")
     case = new_case(parent, "files", long)
     out = os.path.join(case, "out")
     process = stopped(case, lambda: [os.remove(os.path.join(out, name)) for name in (*names, "solution-00001.vtu")])
     check("files are removed: status 0", process.returncode == 0, process.returncode, process.err)
     log = read(case, "log")
-    for name in ("statistics", "convergence", "log", "parameters.prm", "lock", "solution-00001.vtu"):
+    for name in ("statistics", "convergence", "log", "parameters.prm", "lock", "walls.vtu", "solution-00001.vtu"):
         check(f"... the log tells of {name}", re.search(f"^Warning: .*out/{name}'", log, re.M), log)
     check("... and of the checkpoint", "Warning: the checkpoint in 'out' was removed" in log, log)
     check("... all are there again but the snapshot", sorted([*all_files(out), "solution-00001.vtu"]) == expected,
@@ -237,6 +237,10 @@ def test_removed(parent):
     check("the directory is removed: status 0", process.returncode == 0, process.returncode, process.err)
     check("... the log tells of it", "directory 'out' was removed" in read(case, "log"), read(case, "log"))
     check("... the statistics are whole", steps(case) == steps(whole))
+    again, before = (read(directory, "walls.vtu").split("<VTKFile", 1)[1] for directory in (case, whole))  # without the date
+    check("... the walls are there again", again == before and "<Piece" in again, again)
+    check("... and in the list", 0 < read(case, "solution.pvd").count("walls.vtu") == len(read(whole, "solution.pvd").split(
+        "walls.vtu")) - 1, read(case, "solution.pvd"))
     check("... there is a checkpoint", run(case, "--resume", "--set", "End time=0.21").returncode == 0)
 
     case = new_case(parent, "renamed", long)

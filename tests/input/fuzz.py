@@ -2,18 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Feed the program `lahar` mutated input, from outside.
 
-The parameter files of prm/ and the gmsh files of prm/ and tests/geometry, with coarser meshes, are mutated at random
-and read by `lahar --check`, which builds the first mesh. Each run must end
+The parameter files of prm/ and tests/rough and the gmsh files of prm/ and tests/geometry, with coarser meshes, are
+mutated at random (mutations.py) and read by `lahar --check`, which builds the first mesh. Each run must end
 
 * with status 0 and no message on stderr, or with 1 or 2 and one on stderr that shows no C++ or deal.II frame,
 * never by a signal,
 * within --seconds, or if that is missed, when it is tried once more, and with --memory of address space,
 * without a file left behind.
 
-More particles or nodes than LIMITS are refused, so that no input takes long.
-Inputs that miss this are printed, and kept in the directory --keep.
+More particles or nodes than --largest are refused, so that no input takes long. Inputs that miss this are printed, and
+kept in the directory --keep. Each input depends on seed and number only: --first is the number to begin with.
 
-Usage: fuzz.py LAHAR [--number N] [--seed S] [--seconds T] [--memory GIB] [--keep DIRECTORY] [--messages]
+With --server the inputs are read by children of that program (check_server.cc), which does not start anew for each one.
+What fails there is read by `lahar`, too, and so is every input whose number is a multiple of --compare; both must print
+the same.
+
+Usage: fuzz.py LAHAR [--server CHECK_SERVER] [--number N] [--seed S] [--seconds T] [--memory GIB] [--keep DIRECTORY] ...
 """
 import argparse
 import collections
@@ -21,12 +25,13 @@ import os
 import pathlib
 import random
 import re
-import resource
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
+
+from mutations import WORD, Mutator
+from readers import Program, Server
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
@@ -36,93 +41,6 @@ from program_test import mesh, parts  # noqa: E402
 FRAMES = ["Stacktrace", "An error occurred in line", "terminate called", "Aborting", "exception", "Exception",
           "std::", "Lahar::", "dealii::", "Backtrace", "Segmentation", "parameter_handler.cc", "CGAL"]
 
-LIMITS = ["--set", "Largest number of particles=30000", "--set", "Solids/Largest number of nodes=30000"]
-
-# Values that stand for a number.
-NUMBERS = ["0", "-1", "1", "-0", "1e308", "-1e308", "1e-308", "5e-324", "1e400", "nan", "inf", "-inf", "", "1e-9", "1e9", "1e12",
-           "2147483647", "2147483648", "4294967295", "4294967296", "-2147483649", "18446744073709551615",
-           "99999999999999999999", "0x10", "1e", "1.5.2", "--1", "1,5", "0.1", "3", "100", "1e-3", "1e5"]
-
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-WORD = re.compile(r"[A-Za-z$][A-Za-z'$-]*")
-
-
-class Mutator:
-    """Changes of a text; @p words are those of all texts, @p lines too."""
-
-    def __init__(self, words, lines):
-        self.words, self.lines = words, lines
-
-    def mutate(self, text):
-        for _ in range(random.choice([1, 1, 1, 2, 2, 3, 5])):
-            text = random.choice(self.CHANGES)(self, text)
-        return text
-
-    def change_lines(self, text):
-        lines = text.split(b"\n")
-        i, j = random.randrange(len(lines)), random.randrange(len(lines))
-        kind = random.randrange(6)
-        if kind == 0:
-            del lines[i]
-        elif kind == 1:
-            lines.insert(i, lines[i])
-        elif kind == 2:
-            lines[i], lines[j] = lines[j], lines[i]
-        elif kind == 3:
-            lines.insert(i, random.choice(self.lines))
-        elif kind == 4:
-            lines[i] = random.choice(self.lines)
-        else:
-            del lines[min(i, j):max(i, j)]
-        return b"\n".join(lines)
-
-    def change_match(self, pattern, replacements, text):
-        matches = list(re.finditer(pattern.pattern.encode(), text))
-        if not matches:
-            return text
-        match = random.choice(matches)
-        return text[:match.start()] + random.choice(replacements) + text[match.end():]
-
-    def change_number(self, text):
-        return self.change_match(NUMBER, [number.encode() for number in NUMBERS], text)
-
-    def scale_number(self, text):
-        matches = list(re.finditer(NUMBER.pattern.encode(), text))
-        if not matches:
-            return text
-        match = random.choice(matches)
-        value = float(match.group()) * random.choice([-1., 0.5, 1.001, 2., 10., 1e3, 1e-3, 1e6, 1e-6])
-        return text[:match.start()] + b"%.12g" % value + text[match.end():]
-
-    def change_word(self, text):
-        return self.change_match(WORD, self.words, text)
-
-    def change_bytes(self, text):
-        data = bytearray(text)
-        for _ in range(random.choice([1, 1, 4, 50])):
-            place = random.randrange(len(data) + 1)
-            data[place:place + random.randrange(3)] = random.randbytes(random.randrange(3))
-        return bytes(data)
-
-    def change_separator(self, text):
-        return self.change_match(re.compile("[,:;=#\"/ ]"), [b",", b":", b";", b"=", b"#", b" ", b"", b"\"", b"\0", b"\\", b"\r\n", b"/"], text)
-
-    def truncate(self, text):
-        return text[:random.randrange(len(text) + 1)]
-
-    def change_structure(self, text):
-        lines = text.split(b"\n")
-        lines.insert(random.randrange(len(lines) + 1), random.choice([
-            b"end", b"end\nend", b"subsection", b"subsection " + random.choice(self.words), b"subsection a\n" * 2000, b"set",
-            b"set " + random.choice(self.words) + b" = 1", b"include case.prm", b"include", b"x" * 100000, b"$Elements",
-            b"set Gravity = " + b"1, " * 50000, b"set Solids = " + b", ".join(b"solid %d" % i for i in range(100)), b"set Fluids = fluid, other",
-            b"set Boundaries = walls, walls", b"set Dimension = 3",
-            b"set Corners = " + b"0, 0 : 1, 1; " * 30]))
-        return b"\n".join(lines)
-
-    CHANGES = [change_lines, change_number, change_number, change_number, scale_number, change_word, change_word,
-               change_bytes, change_separator, truncate, change_structure]
-
 
 class Case:
     """A parameter file and the mesh files that it names, as bytes by their names."""
@@ -130,23 +48,32 @@ class Case:
     def __init__(self, name, files):
         self.name, self.files, self.is_ready = name, files, False
 
-    def coarsen(self, lahar, arguments):
+    def coarsen(self, reader):
         """Make the mesh size the largest one that works, so that runs are short."""
         text = self.files["case.prm"]
         for factor in (6., 4., 3., 2., 1.):
             self.files["case.prm"] = re.sub(
                 rb"(set Mesh size *= *)([-0-9.e]+)", lambda m: m[1] + b"%g" % (factor * float(m[2])), text)
-            if run(lahar, self.files, arguments).status == 0:
+            if run(reader, self.files).status == 0:
                 self.is_ready = True
                 return
         sys.exit("%s: does not work unchanged" % self.name)
 
+    def mutated(self, mutator):
+        """The files, one of them changed, and its name."""
+        files = dict(self.files)
+        meshes = [name for name in files if name != "case.prm"]
+        name = random.choice(meshes) if meshes and random.random() < 0.8 else "case.prm"
+        files[name] = mutator.mutate(files[name])
+        return files, name
+
 
 def find_cases():
     cases = []
-    for path in sorted(ROOT.glob("prm/**/*.prm")):
+    for path in sorted([*ROOT.glob("prm/**/*.prm"), *ROOT.glob("tests/rough/*.prm")]):
         text = path.read_bytes()
-        files = {name.decode(): (path.parent / name.decode()).read_bytes() for name in re.findall(rb"File *= *(\S+\.msh)", text)}
+        files = {name.decode(): (path.parent / name.decode()).read_bytes()
+                 for name in re.findall(rb"File *= *(\S+\.msh)", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
     # The column lies in the plane, the basin in space; the first attempt of coarsen() works with these sizes.
     for pattern, dimension, size, floor in (("column*", "2", "0.02", "0, 0 : 1, 0"),
@@ -188,13 +115,8 @@ class Result:
         return None
 
 
-def run(lahar, files, arguments):
-    def limit_memory():
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        if arguments.memory > 0:
-            size = int(arguments.memory * 2**30)
-            resource.setrlimit(resource.RLIMIT_AS, (size, size))
-
+def run(reader, files):
+    """Let the reader have the files in a directory of their own."""
     directory = tempfile.mkdtemp()
     try:
         names = set()
@@ -204,24 +126,27 @@ def run(lahar, files, arguments):
             with open(path, "wb") as file:
                 file.write(data)
             names.add(name.split("/")[0])
-        # Open MPI without daemon and without drivers for networks, which take a minute now and then; with a directory
-        # of its own, since another program's MPI may remove the common one at the wrong moment.
-        environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_MCA_ess_singleton_isolated="1",
-                           OMPI_MCA_pml="ob1", OMPI_MCA_btl="self", OMPI_MCA_orte_tmpdir_base=arguments.session)
         begin = time.monotonic()
-        process = subprocess.Popen([lahar, "--check", "case.prm", *LIMITS], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit_memory)
-        try:
-            out, err = process.communicate(timeout=arguments.seconds)
-            status = process.returncode
-        except subprocess.TimeoutExpired:
-            process.kill()
-            out, err = process.communicate()
-            status = None
-        return Result(status, out.decode(errors="replace"), err.decode(errors="replace"),
+        status, out, err = reader.read(directory)
+        out, err = (data.decode(errors="replace").replace(directory + "/", "") for data in (out, err))
+        return Result(status, out, err,
                       sorted(set(os.listdir(directory)) - names), time.monotonic() - begin)
     finally:
         shutil.rmtree(directory)
+
+
+def patiently(reader, files):
+    """The result, the second one if the first one came too late, since the machine may have been busy; and whether."""
+    result = run(reader, files)
+    return (run(reader, files), True) if result.status is None else (result, False)
+
+
+def difference(result, other):
+    """What the server's child has said in another way than the program, or None."""
+    for what in ("status", "err", "out"):
+        if getattr(result, what) != getattr(other, what):
+            return "%s of lahar: %s" % (what, getattr(other, what))
+    return None
 
 
 def skeleton(message):
@@ -229,62 +154,96 @@ def skeleton(message):
     return re.sub(r"[-+]?\d[-+.e\d]*", "N", re.sub(r"'[^']*'", "''", message)).strip()[:160]
 
 
-def main():
+def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("lahar", type=os.path.abspath)
+    parser.add_argument("--server", type=os.path.abspath, help="the program that reads the inputs instead")
+    parser.add_argument("--compare", type=int, default=100,
+                        help="with --server: lahar reads every so many inputs (%(default)s)")
+    parser.add_argument("--batch", type=int, default=50,
+                        help="how many inputs a child of the server reads (%(default)s)")
     parser.add_argument("--number", type=int, default=70, help="of mutated inputs (%(default)s)")
+    parser.add_argument("--minutes", type=float, help="after which no other input is read")
+    parser.add_argument("--first", type=int, default=0, help="number of the first one (%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the random numbers (%(default)s)")
     parser.add_argument("--seconds", type=float, default=60., help="that one run may take (%(default)g)")
-    parser.add_argument("--memory", type=float, default=4., help="address space of one run in GiB, 0: unlimited (%(default)g)")
+    parser.add_argument("--memory", type=float, default=4.,
+                        help="address space of one run in GiB, 0: unlimited (%(default)g)")
+    parser.add_argument("--largest", type=int, default=30000,
+                        help="number of particles, and of solids' nodes (%(default)s)")
     parser.add_argument("--keep", type=pathlib.Path, help="directory for the inputs that fail")
     parser.add_argument("--messages", action="store_true", help="print how often each kind of message appears")
-    arguments = parser.parse_args()
-    session_directory = tempfile.TemporaryDirectory()  # lasts until the end
-    arguments.session = session_directory.name
+    return parser.parse_args()
 
-    random.seed(arguments.seed)
-    cases = find_cases()
-    lines = sorted({line for case in cases for line in case.files["case.prm"].split(b"\n")})
+
+def keep(directory, files):
+    for name, data in files.items():
+        path = directory / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+
+
+def new_mutator(cases):
+    lines = {line for case in cases for line in case.files["case.prm"].split(b"\n")}
+    # Of meshes the keywords, and some others.
+    of_meshes = sorted({line for case in cases for name, data in case.files.items() if name != "case.prm"
+                        for line in data.split(b"\n") if len(line) < 80})
+    lines.update(line for i, line in enumerate(of_meshes) if line.startswith(b"$") or i % 50 == 0)
     words = sorted({word.encode() for case in cases
                     for word in WORD.findall(case.files["case.prm"].decode(errors="replace"))})
-    mutator = Mutator(words, lines)
+    return Mutator(words, sorted(lines))
 
-    n_wrong, n_slow = 0, 0
+
+def main():
+    arguments = parse_arguments()
+    session = tempfile.TemporaryDirectory()  # lasts until the end
+    program = Program(arguments, session.name)
+    reader = Server(arguments, session.name) if arguments.server else program
+    cases = find_cases()
+    mutator = new_mutator(cases)
+
+    n_wrong, n_slow, n_compared = 0, 0, 0
     statuses, messages = collections.Counter(), collections.Counter()
-    longest = (0., "")
-    for number in range(arguments.number):
+    longest, begin, n_read = (0., ""), time.monotonic(), 0
+    for number in range(arguments.first, arguments.first + arguments.number):
+        if arguments.minutes and time.monotonic() - begin > 60. * arguments.minutes:
+            break
+        n_read += 1
+        random.seed("%d-%d" % (arguments.seed, number))
         case = random.choice(cases)
         if not case.is_ready:
-            case.coarsen(arguments.lahar, arguments)
-        files = dict(case.files)
-        meshes = [name for name in files if name != "case.prm"]
-        name = random.choice(meshes) if meshes and random.random() < 0.8 else "case.prm"
-        files[name] = mutator.mutate(files[name])
-        result = run(arguments.lahar, files, arguments)
-        if result.status is None:  # the machine may have been busy
-            n_slow += 1
-            result = run(arguments.lahar, files, arguments)
+            case.coarsen(reader)
+        files, name = case.mutated(mutator)
+        result, was_slow = patiently(reader, files)
+        n_slow += was_slow
         statuses[result.status] += 1
         if result.status != 0:
             messages["%s: %s" % (result.status, skeleton(result.err))] += 1
         longest = max(longest, (result.seconds, "number %d, %s" % (number, case.name)))
-        wrong = result.wrong()
-        if wrong:
+        wrong, other = result.wrong(), ""
+        if reader is not program and (wrong or number % arguments.compare == 0):
+            n_compared += 1
+            other = difference(result, patiently(program, files)[0])
+        if wrong or other:
             n_wrong += 1
-            print("FAILED: seed %d, number %d, %s of %s: %s" % (arguments.seed, number, name, case.name, wrong))
+            print("FAILED: seed %d, number %d, %s of %s: %s" % (
+                arguments.seed, number, name, case.name, wrong or other))
             print("    " + result.err[:600].replace("\n", "\n    "), flush=True)
+            if wrong and other:
+                print("    not with lahar itself: %s" % other, flush=True)
             if arguments.keep:
-                for kept, data in files.items():
-                    path = arguments.keep / ("%d-%d" % (arguments.seed, number)) / kept
-                    path.parent.mkdir(parents=True, exist_ok=True)
-                    path.write_bytes(data)
+                keep(arguments.keep / ("%d-%d" % (arguments.seed, number)), files)
 
     if arguments.messages:
         for message, count in messages.most_common():
             print("%6d  %s" % (count, message))
-    print("%d inputs, seed %d: %s; the longest run took %.1f s (%s)" % (
-        arguments.number, arguments.seed,
+    seconds = time.monotonic() - begin
+    reader.close()
+    print("%d inputs, seed %d, in %.0f s (%.1f a second): %s; the longest run took %.1f s (%s)" % (
+        n_read, arguments.seed, seconds, n_read / seconds,
         ", ".join("%d with status %s" % (statuses[status], status) for status in sorted(statuses, key=str)), *longest))
+    if n_compared > 0:
+        print("%d compared with lahar itself" % n_compared)
     if n_slow > 0:
         print("%d tried again after %g s" % (n_slow, arguments.seconds))
     print("%d failed" % n_wrong)

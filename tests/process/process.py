@@ -9,7 +9,7 @@ output:   the standard output has gone, is closed or full.
 input:    parameter files from pipes, on one rank and on two; endless and huge ones are refused.
 memory:   limits of the address space, from too little for the libraries to too little for the case.
 full:     on three ranks files cannot grow, on all of them or on one.
-alone:    one rank of two runs out of memory in the middle of a run.
+alone:    one rank of two runs out of memory in the middle of a run, or crashes: the log tells it.
 launcher: SIGUSR1 to mpirun stops the ranks; after SIGINT, which kills them, a checkpoint is there.
 
 Usage: process.py GROUP LAHAR MPIEXEC
@@ -235,6 +235,14 @@ def limit(attempt, what, values):
         resource.prlimit(pid, what, (value, value))
 
 
+def check_log(what, directory, *words):
+    """The log must end with the reason, which is said once."""
+    with open(os.path.join(directory, "out", "log")) as file:
+        text = file.read()
+    reasons = [line for line in text.splitlines() if line.startswith("The run failed. ")]
+    check(what + " the log tells it", len(reasons) == 1 and all(word in reasons[0] for word in words), text)
+
+
 def full(parent):
     for n_limited in (3, 1):
         directory = new_case(parent, "full-%d" % n_limited, CASE)
@@ -249,11 +257,13 @@ def full(parent):
         check("... said once", text.count("lahar: the run failed") == 1, text)
         parts = glob.glob(os.path.join(directory, "out", "**", "*.part*"), recursive=True)
         check("... no file in part", not parts, parts)
+        if n_limited == 1:  # not the one with the log
+            check_log("...", directory, "Cannot write", "File too large")
 
 
 def alone(parent):
     directory = new_case(parent, "alone", CASE.replace("0.02", "0.004"))
-    attempt = start(directory, 2)
+    attempt = start(directory, 2, "--set", "Checkpoint/Steps between=1")
     wait_for(attempt, lambda: n_rows(directory) >= 1)
     for pid in attempt.pids()[-1:]:
         with open("/proc/%d/statm" % pid) as file:
@@ -262,6 +272,27 @@ def alone(parent):
     struck = time.monotonic()
     end_of(attempt, "one rank without memory", 1, "lahar: the run failed. ", "not enough memory")
     print("    after %.1f s" % (time.monotonic() - struck))
+    check_log("...", directory, "not enough memory")
+    before = n_rows(directory)
+    end_of(start(directory, 2, "--resume", "--set", "End time=%g" % (2e-3 * (before + 2))), "... it goes on", 0,
+           "Resumed after step")
+    check("... from its last checkpoint", n_rows(directory) == before + 2, n_rows(directory), before)
+
+    for n_ranks, number, is_limited in ((1, signal.SIGSEGV, False), (2, signal.SIGSEGV, False), (2, signal.SIGABRT, True)):
+        directory = new_case(parent, "crash-%d-%d" % (n_ranks, number), CASE)
+        attempt = start(directory, n_ranks)
+        wait_for(attempt, lambda: n_rows(directory) >= 2)
+        if is_limited:
+            limit(attempt, resource.RLIMIT_AS, [2**40, 2**40])
+        send(attempt.pids()[-1], number)
+        ended, words = attempt.wait(PATIENCE), "a library has crashed" if is_limited else "The program has crashed"
+        check("a crash of one of %d by %s: it ends" % (n_ranks, number.name), ended and (
+            attempt.process.returncode == 1 if is_limited else attempt.process.returncode != 0), attempt.process.returncode)
+        check("... and says so, without frames", "lahar: the run failed. " in attempt.text() and words in attempt.text() and
+              not attempt.frames(), attempt.text())
+        attempt.kill()
+        attempt.close()
+        check_log("...", directory, words)
 
 
 def launcher(parent):

@@ -129,7 +129,7 @@ namespace Lahar
     void write_parameters() const;
 
     /// Make again what others have removed of the output, and say so.
-    void mend();
+    void mend(const Walls<dim> &walls);
 
     /// After a snapshot at @p time, or if the interval is another one than before.
     void advance(const double time);

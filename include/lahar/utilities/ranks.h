@@ -29,12 +29,8 @@ namespace Lahar
   std::pair<double, Point<dim>> largest_of_all(const double value, const Point<dim> &place,
                                                const MPI_Comm &communicator);
 
-  /**
-   * End a program that has failed: if all ranks arrive here within a few seconds the first one prints @p message, and
-   * the caller can return @p status. If this rank is alone, others may wait for it: it prints the message and aborts
-   * them all with that status.
-   */
-  void fail_on_all_ranks(const MPI_Comm &communicator, const std::string &message, const int status);
+  /// Whether all ranks call this within a few seconds. If they do not, others may wait for this one somewhere else.
+  bool all_ranks_arrive(const MPI_Comm &communicator);
 } // namespace Lahar
 
 #endif
