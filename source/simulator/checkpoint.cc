@@ -36,11 +36,13 @@ namespace Lahar
   void Simulator<dim>::write_due_checkpoint()
   {
     const bool was_removed = checkpoint.was_removed();
+    if (!checkpoint.is_due(counters.steps, output.wall_time(), was_removed))
+      return;
+    output.mend(walls); // where the directory has another name now there is no checkpoint to write
     output.message(was_removed ? "Warning: the checkpoint in '" + input.run.output_directory +
                                    "' was removed while the run wrote to it. There is a new one."
                                : "");
-    if (checkpoint.is_due(counters.steps, output.wall_time(), was_removed))
-      write_checkpoint();
+    write_checkpoint();
   }
 
 

@@ -69,11 +69,17 @@ int main()
                                                        {"Sphere/Size", "2"},
                                                        {"hollow ball/Size", "2"}};
   check("each model's own entries, in the subsection of its name or of its choice", prm.values() == expected);
-  std::ostringstream text;
-  prm.print_parameters(text, ParameterHandler::PRM);
-  const auto has = [&](const std::string &part) { return text.str().find(part) != std::string::npos; };
-  check("no subsection for a model without entries", !has("subsection point") && !has("subsection red"));
-  check("the choice explains the models", has("'ball': Round.") && has("'point': Without extent."));
+  const auto has = [&](const ParameterHandler::OutputStyle style, const std::string &part) {
+    std::ostringstream text;
+    prm.print_parameters(text, style);
+    return text.str().find(part) != std::string::npos;
+  };
+  check("no subsection for a model without entries",
+        !has(ParameterHandler::PRM, "subsection point") && !has(ParameterHandler::PRM, "subsection red"));
+  check("the choice explains the models, and has their names for programs",
+        has(ParameterHandler::JSON, "'ball': Round.") &&
+          has(ParameterHandler::JSON, "'point': Without extent.") &&
+          has(ParameterHandler::JSON, "[Selection ball|hollow ball|point"));
 
   check("a model without entries", Factory<Shape>::create("point", prm)->size, 0.);
   check("a model with entries", Factory<Shape>::create("ball", prm)->size - 2., 0.);

@@ -88,6 +88,10 @@ namespace Lahar
     void write_statistics(TableHandler &line, const Snapshot<dim> &snapshot,
                           const std::string &convergence_lines);
 
+    /// Make again what others have removed of the output, and say so. @throws RunError where that cannot be, as if the
+    /// directory has another name now.
+    void mend(const Walls<dim> &walls);
+
     /// See Progress.
     void step(const Progress::Line &line)
     {
@@ -127,9 +131,6 @@ namespace Lahar
 
   private:
     void write_parameters() const;
-
-    /// Make again what others have removed of the output, and say so.
-    void mend(const Walls<dim> &walls);
 
     /// After a snapshot at @p time, or if the interval is another one than before.
     void advance(const double time);
