@@ -82,6 +82,17 @@ def wrong(entry, value, *parts, more=()):
     refused("%s = %s" % (entry, value), ["'%s'" % entry, value, "llowed", *parts], *set_entry(entry, value), *more)
 
 
+def write_spike(directory):
+    """The mesh in space with one corner far away: little volume in a box of 10^8 cubes of the mesh size."""
+    with open(MESH_IN_SPACE) as mesh, open(os.path.join(directory, "spike.msh"), "w") as spike:
+        spike.write(mesh.read().replace("\n1 0 0 0\n", "\n1 -1500 -325 -324\n", 1))
+
+
+def in_spike():
+    return ["--set", "Dimension=3", *set_entry("Mesh size", "0.9"), *set_entry("Geometry/Mesh file", "spike.msh"),
+            *set_entry("Geometry/Fluid groups", "fluid")]
+
+
 def test_refused():
     in_space = GOOD.replace("0, 0 : 0.146, 0.292", "").replace("0, 0.4 : 0, 0 : 0.5, 0", "")
     for cone in ["0, 0, 0 : 0.035, 0.05, 0.05", "0, 0, 0 : 0.05, -0.01, 0.05", "0, 0, 0 : 0.05, 0.03", "0, 0 : 0.05, 0.03, 0.1"]:
@@ -179,6 +190,8 @@ def test_refused():
     wrong("Geometry/Largest number of particles", "1e9")
     refused("too many particles in space", ["'Mesh size'", "'Geometry/Fluid boxes'", "Largest number of particles"], "--set",
             "Dimension=3", *set_entry("Geometry/Fluid boxes", "0, 0, 0 : 1, 1, 1"), *set_entry("Mesh size", "1e-3"), text=in_space)
+    refused("a mesh with a spike of too many particles", ["'Mesh size'", "spike.msh", "Largest number of particles"],
+            *in_spike(), *set_entry("Geometry/Largest number of particles", "1000"), text=in_space, prepare=write_spike)
     refused("a polyhedron of too many corners", ["'Geometry/Fluid polyhedra'", "at most 100"], "--set", "Dimension=3",
             *set_entry("Geometry/Fluid polyhedra", " : ".join("%d, %d, %d" % (i, i * i, i**3) for i in range(101))), text=in_space)
 
@@ -246,6 +259,13 @@ def test_refused():
 
 
 def test_printed():
+    with tempfile.TemporaryDirectory() as directory:
+        write_spike(directory)
+        in_space = GOOD.replace("0, 0 : 0.146, 0.292", "").replace("0, 0.4 : 0, 0 : 0.5, 0", "")
+        result = run(directory, "--check", *in_spike(), "case.prm", text=in_space)
+        check("--check of a mesh with a spike ends", result.returncode == 0 and "Fluid particles" in result.stdout,
+              result.returncode, result.stdout, result.stderr)
+
     with tempfile.TemporaryDirectory() as directory:
         result = run(directory, "--help", text=None)
         check("--help", result.returncode == 0 and all(option in result.stdout for option in
