@@ -83,6 +83,17 @@ def wrong(entry, value, *parts, more=()):
     refused("%s = %s" % (entry, value), ["'%s'" % entry, value, "llowed", *parts], *set_entry(entry, value), *more)
 
 
+def write_spike(directory):
+    """The mesh in space with one corner far away: little volume in a box of 10^8 cubes of the mesh size."""
+    with open(MESH_IN_SPACE) as mesh, open(os.path.join(directory, "spike.msh"), "w") as spike:
+        spike.write(mesh.read().replace("\n1 0 0 0\n", "\n1 -1500 -325 -324\n", 1))
+
+
+def in_spike():
+    return [*set_entry("Mesh size", "0.9"), *set_entry(FLUID + "Shape", "mesh"), *set_entry(FLUID + "mesh/File", "spike.msh"),
+            *set_entry(FLUID + "mesh/Groups", "fluid")]
+
+
 def test_refused():
     in_space = TOP + "set Dimension = 3\n" + fluid("0, 0, 0 : 1, 1, 1")
     cone = {"Base": "0, 0, 0", "Base radius": "0.05", "Top radius": "0.03", "Height": "0.1"}
@@ -203,6 +214,8 @@ def test_refused():
             *set_entry("Mesh size", "1e-3"), text=in_space)
     refused("a polyhedron of too many corners", ["'Fluids/fluid/convex/Corners'", "at most 100"],
             *set_entry(FLUID + "Shape", "convex"), *set_entry(FLUID + "convex/Corners", " : ".join("%d, %d, %d" % (i, i * i, i**3) for i in range(101))), text=in_space)
+    refused("a mesh with a spike of too many particles", ["'Mesh size'", "fluid 'fluid'", "Largest number of particles"],
+            *in_spike(), *set_entry("Largest number of particles", "1000"), text=in_space, prepare=write_spike)
 
     # Solids.
     def solid(corners, *settings):
@@ -386,6 +399,13 @@ end
 
 
 def test_printed():
+    with tempfile.TemporaryDirectory() as directory:
+        write_spike(directory)
+        in_space = TOP + "set Dimension = 3\n" + fluid("0, 0, 0 : 1, 1, 1")
+        result = run(directory, "--check", *in_spike(), "case.prm", text=in_space)
+        check("--check of a mesh with a spike ends", result.returncode == 0 and "Fluid particles" in result.stdout,
+              result.returncode, result.stdout, result.stderr)
+
     with tempfile.TemporaryDirectory() as directory:
         result = run(directory, "--help", text=None)
         check("--help", result.returncode == 0 and all(option in result.stdout for option in
