@@ -106,7 +106,7 @@ namespace Lahar
       const std::string entry_path = assignment.path();
       if (!knows(assignment, known))
         throw_unknown(assignment, of_other_dimension);
-      if (assignment.entry.empty())
+      if (assignment.entry.empty() || name_lists.count(entry_path) > 0)
         continue;
       std::string value = assignment.value;
       if (is_file(entry_path) && !value.empty())
@@ -119,7 +119,7 @@ namespace Lahar
       }
       for (const std::string &section : assignment.sections)
         enter_subsection(section);
-      set(name_lists.count(entry_path) > 0 ? apart(assignment.entry) : assignment.entry, value);
+      set(assignment.entry, value);
       for (unsigned int i = 0; i < assignment.sections.size(); ++i)
         leave_subsection();
     }

@@ -80,7 +80,7 @@ def set_entry(entry, value):
 
 def wrong(entry, value, *parts, more=()):
     """A wrong value of one entry, given by --set, must be named by its path."""
-    refused("%s = %s" % (entry, value), ["'%s'" % entry, value, "llowed", *parts], *set_entry(entry, value), *more)
+    refused("%s = %s" % (entry, value), ["'%s'" % entry, value, "llowed", *parts], *more, *set_entry(entry, value))
 
 
 def write_spike(directory):
