@@ -79,9 +79,16 @@ namespace Lahar
         else if (snapshot.cloud.on_slip_wall(particle))
           add_sliding(snapshot, particle, forces);
       }
+    std::vector<double> components(dim * names.size());
+    for (unsigned int k = 0; k < components.size(); ++k)
+      components[k] = forces[k / dim][k % dim];
+    Utilities::MPI::sum(components, snapshot.communicator(), components);
     for (unsigned int b = 0; b < names.size(); ++b)
-      add_force_columns(statistics, snapshot, names[b], "force",
-                        Utilities::MPI::sum(forces[b], snapshot.communicator()));
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        forces[b][d] = components[dim * b + d];
+      add_force_columns(statistics, snapshot, names[b], "force", forces[b]);
+    }
   }
 
 

@@ -197,7 +197,6 @@ namespace Lahar
                       std::to_string(counts.first) + " and " + std::to_string(counts.second) +
                         ", as there were when it was written");
     output.check_resumed();
-    counters.resumed = true;
     if (input.run.end_time < time - 1e-10 * input.run.time_step)
       prm.throw_wrong_value("End time",
                             "a time not before that of the checkpoint, which is " + std::to_string(time));

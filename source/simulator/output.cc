@@ -10,7 +10,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::start_output()
   {
-    if (counters.resumed)
+    if (checkpoint.is_resumed())
       output.resume(time, counters.steps, sizes());
     else
       output.begin(snapshot(), sizes());

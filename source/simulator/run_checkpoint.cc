@@ -125,6 +125,7 @@ namespace Lahar
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator), n_pieces = piece.n_ranks;
     Content content;
     content.same_ranks = n_pieces == n_ranks;
+    resumed            = true;
     on_all_ranks(communicator, [&] {
       try
       {

@@ -87,8 +87,8 @@ namespace Lahar
                    " any more. Allowed: " + now + ".";
       }
     if (!message.empty())
-      throw InputError(
-        message + "\n'contrib/utilities/convert-case' writes a parameter file of Lahar 0.1 in the new form.");
+      throw InputError(message +
+                       "\n'contrib/utilities/convert-case' writes an older parameter file in the new form.");
   }
 
 

@@ -273,10 +273,13 @@ def alone(parent):
     end_of(attempt, "one rank without memory", 1, "lahar: the run failed. ", "not enough memory")
     print("    after %.1f s" % (time.monotonic() - struck))
     check_log("...", directory, "not enough memory")
-    before = n_rows(directory)
-    end_of(start(directory, 2, "--resume", "--set", "End time=%g" % (2e-3 * (before + 2))), "... it goes on", 0,
-           "Resumed after step")
-    check("... from its last checkpoint", n_rows(directory) == before + 2, n_rows(directory), before)
+    # Steps for which a library had too little memory were repeated with half their length; the last one may be lost.
+    before = [float(row[1]) for row in Statistics(directory).rows]  # times
+    end_time = before[-1] + 4e-3
+    end_of(start(directory, 2, "--resume", "--set", "End time=%.12g" % end_time), "... it goes on", 0, "Resumed after step")
+    after = [float(row[1]) for row in Statistics(directory).rows]
+    check("... from its last checkpoint", after[:len(before) - 1] == before[:-1] and abs(after[-1] - end_time) < 1e-9,
+          before, after)
 
     for n_ranks, number, is_limited in ((1, signal.SIGSEGV, False), (2, signal.SIGSEGV, False), (2, signal.SIGABRT, True)):
         directory = new_case(parent, "crash-%d-%d" % (n_ranks, number), CASE)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameter files of Lahar 0.1, which `lahar` refuses, are taken once contrib/utilities/convert-case has written them in
+"""Older parameter files, which `lahar` refuses, are taken once contrib/utilities/convert-case has written them in
 the form of today, and the first mesh is that of the same case written by hand.
 
 Usage: convert_case.py LAHAR

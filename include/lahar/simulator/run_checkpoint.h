@@ -19,7 +19,7 @@ namespace Lahar
    * case may go on from one. See CheckpointFile for the files.
    *
    * A state is noted down before each step and written when that is due, so that a step that is interrupted loses
-   * nothing. All functions are collective.
+   * nothing. All functions are collective but was_removed(), keep() and those that only tell something.
    */
   class RunCheckpoint
   {
@@ -59,6 +59,12 @@ namespace Lahar
     /// parameter, or what a file holds, differs from the checkpoint's where a resumed run cannot honour it.
     Content read();
 
+    /// Whether the run goes on from a checkpoint.
+    bool is_resumed() const
+    {
+      return resumed;
+    }
+
     /// See CheckpointFile::fail().
     [[noreturn]] void fail(const std::string &found, const std::string &allowed) const
     {
@@ -77,6 +83,7 @@ namespace Lahar
     std::map<std::string, unsigned int> files; ///< checksums of the files that entries name, by entry
     std::map<std::string, std::string> parameter_values; ///< on the first rank, once they are needed
     std::string kept_state, kept_piece;
+    bool resumed          = false;
     double last_wall_time = 0., last_duration = 0.; ///< of the last one, s
   };
 } // namespace Lahar

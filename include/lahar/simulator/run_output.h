@@ -22,17 +22,17 @@ namespace Lahar
    * What a run writes for people: `parameters.prm`, `statistics`, `convergence`, `log` and the snapshots for ParaView, in
    * an output directory that it has for itself. The first rank writes all but the pieces of snapshots.
    *
-   * All functions are collective but failure(), release() and those that only tell something. They throw RunError where a
+   * All functions are collective but failure(), release_directory() and those that only tell something. They throw RunError where a
    * file cannot be written.
    */
   template <int dim>
   class RunOutput
   {
   public:
-    /// @param parameters are read after this object has been made.
+    /// @param parameters are used from begin() or resume() on; they need not be read before.
     RunOutput(const RunParameters &parameters, Parameters &prm, const MPI_Comm &communicator);
 
-    /// Read the entries of the statistics' columns. @throws InputError
+    /// Read the entries of the statistics' columns and of the fields for ParaView. @throws InputError
     void parse_parameters();
 
     /// Take the output directory, see OutputDirectory::take(). @throws InputError
@@ -60,7 +60,7 @@ namespace Lahar
     /// Begin the files of a new run, with a first snapshot. @param sizes is a message for people.
     void begin(const Snapshot<dim> &snapshot, const std::string &sizes);
 
-    /// Go on with those of a run that has been loaded, and has made @p n_steps steps.
+    /// Go on with those of a run that has been loaded, at @p time (s) after @p n_steps steps.
     void resume(const double time, const unsigned int n_steps, const std::string &sizes);
 
     /// @throws InputError if files are shorter than when the checkpoint was written.
@@ -72,6 +72,7 @@ namespace Lahar
       return last_time + parameters.output_interval;
     }
 
+    /// Write the files for ParaView, and begin new means.
     void write_snapshot(const Snapshot<dim> &snapshot);
 
     /// Write a snapshot if one is due at its time.
@@ -83,8 +84,8 @@ namespace Lahar
       time_means.start_step(time_step);
     }
 
-    /// Append the postprocessors' columns to @p line, which has those of the simulator, and write it; @p convergence are
-    /// lines for that file.
+    /// Append the postprocessors' columns to @p line, which has those of the simulator, and write it; @p convergence_lines
+    /// go to that file.
     void write_statistics(TableHandler &line, const Snapshot<dim> &snapshot,
                           const std::string &convergence_lines);
 
@@ -101,6 +102,7 @@ namespace Lahar
     {
       progress->message(text);
     }
+    /// The reason goes to the log, if there is one already.
     void failure(const std::string &reason) noexcept;
     void summary(const TimerOutput &timer, const double cell_steps)
     {

@@ -9,12 +9,11 @@ namespace Lahar
   struct StepCounters
   {
     unsigned int steps         = 0;
-    unsigned int rejected      = 0;     ///< steps that were repeated with half their length
-    unsigned int forced_facets = 0;     ///< of solids' contours that a Delaunay triangulation did not have
-    unsigned int kept_out      = 0;     ///< particles that were put back before a solid
-    unsigned int left          = 0;     ///< particles that have left the domain
-    unsigned int cells         = 0;     ///< of the fluid at present
-    bool resumed               = false; ///< whether the run goes on from a checkpoint
+    unsigned int rejected      = 0; ///< steps that were repeated with half their length
+    unsigned int forced_facets = 0; ///< of solids' contours that a Delaunay triangulation did not have
+    unsigned int kept_out      = 0; ///< particles that were put back before a solid
+    unsigned int left          = 0; ///< particles that have left the domain
+    unsigned int cells         = 0; ///< of the fluid at present
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)

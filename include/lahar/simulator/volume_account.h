@@ -19,21 +19,25 @@ namespace Lahar
   class VolumeAccount
   {
   public:
+    /// At the start.
     void begin(const double volume)
     {
       initial = present = volume;
     }
 
+    /// After the particles of a step have moved with the mesh.
     void solved(const double volume)
     {
       by_solver += change_to(volume);
     }
 
+    /// After a new mesh.
     void remeshed(const double volume)
     {
       by_remeshing += change_to(volume);
     }
 
+    /// After particles beyond the domain were dropped.
     void left(const double volume)
     {
       left_domain -= change_to(volume);

@@ -8,7 +8,7 @@
 namespace Lahar
 {
   /**
-   * Where an entry or subsection stands that parameter files of Lahar 0.1 had elsewhere.
+   * Where an entry or subsection stands that older parameter files have elsewhere.
    * @param path as in "Geometry/Fluid boxes".
    * @return for people, as in "'Fluids/NAME/box/Corners' with 'set Fluids = NAME' and 'Shape = box'"; empty for any other
    * path.
