@@ -10,7 +10,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import check, fluid, walls  # noqa: E402
+from program_test import ALONE, check, fluid, walls  # noqa: E402
 
 GROUP = sys.argv[1]
 LAHAR, MESH, MESH_IN_SPACE = [os.path.abspath(path) for path in sys.argv[2:5]]
@@ -36,9 +36,8 @@ def run(directory, *arguments, text=GOOD):
     if text is not None:
         with open(os.path.join(directory, "case.prm"), "w", encoding="utf-8") as file:
             file.write(text)
-    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
     try:
-        return subprocess.run([LAHAR, *arguments], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+        return subprocess.run([LAHAR, *arguments], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300, text=True)
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(arguments, 124, "", "no end within 300 s")

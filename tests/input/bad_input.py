@@ -9,7 +9,7 @@ import os
 import sys
 
 from attempts import FLUID, GOOD, MESH, MESH_IN_SPACE, TOP, WALLS, in_spike, refused, set_entry, write_spike, wrong
-from program_test import failed, fluid, parts, section, shape, wall, walls
+from program_test import failed, fluid, parts, section, shape, walls
 
 
 def test_refused():

@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 from attempts import COLUMN, GOOD, GROUP, TOP, refused, run, set_entry
-from program_test import check, failed, fluid, parts, section, shape, wall, walls
+from program_test import check, failed, parts, section, shape, wall
 
 
 def test_names():

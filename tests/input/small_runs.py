@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 
 from attempts import FLUID, FRAMES, GOOD, GROUP, TOP, WALLS, in_spike, run, set_entry, write_spike
-from program_test import check, failed, fluid, parts, shape, wall, walls
+from program_test import check, failed, fluid, parts, shape
 
 
 COLUMNS = ["Time step number", "Time (s)", "Time step size (s)", "Nonlinear iterations", "Velocity increment",
