@@ -136,8 +136,10 @@ namespace Lahar
       {
         time_integration.start_step(time_step, counters.steps == 0);
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
-        problem.start_step({fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity,
-                            time_integration, time + time_step, constraints(*wall_step), remeshing.arrives});
+        problem.start_step(
+          {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
+           time + time_step, constraints(*wall_step), remeshing.arrives,
+           SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws())});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();

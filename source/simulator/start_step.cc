@@ -35,6 +35,8 @@ namespace Lahar
       spacing += start.cloud.spacing[mesh->particle(v)];
     mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
                    std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
+    friction.start_step(start.sliding, *region_mesh, start.cloud, start.law, start.time_integration.length(),
+                        system.partition());
     held_vertices.start_step(can_be_held);
     crushed_cells.start_step(mesh->n_cells());
     velocity_change.assign(constraints.size(), Tensor<1, dim>());

@@ -67,6 +67,9 @@ namespace Lahar
       return boundaries;
     }
 
+    /// The laws of the boundaries' surfaces, in their order.
+    std::vector<const SurfaceLaw *> surface_laws() const;
+
     bool any_boundary_moves() const;
 
     /// The walls that create() makes, as they are at @p time (s). @throws RunError if a motion is not finite then.
