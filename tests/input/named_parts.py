@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test what the program `lahar` says of the names of a case's parts, and of entries that stand elsewhere now.
 
-Usage: named_parts.py parts|old_entries LAHAR MESH_FILE MESH_FILE_IN_SPACE
+Usage: named_parts.py parts|old_entries LAHAR MESH_FILE MESH_FILE_IN_SPACE SERVER
 """
 import os
 import sys

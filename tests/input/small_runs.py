@@ -5,7 +5,7 @@
 printed:  --help, --version, --print-parameters, --check end with status 0.
 computed: a small run leaves complete, readable files; so does one that fails, with status 1.
 
-Usage: small_runs.py printed|computed LAHAR MESH_FILE MESH_FILE_IN_SPACE
+Usage: small_runs.py printed|computed LAHAR MESH_FILE MESH_FILE_IN_SPACE SERVER
 """
 import glob
 import json
