@@ -28,12 +28,12 @@ template <int dim>
 SlidingContact<dim> contact_of(const SurfaceLaw &law)
 {
   SlidingContact<dim> contact;
-  contact.law           = &law;
-  contact.area          = 0.3;
-  contact.stiffness     = 50.;
-  contact.normal[0]     = 0.6;
-  contact.normal[1]     = -0.8;
-  contact.wall_velocity = {};
+  contact.law              = &law;
+  contact.area             = 0.3;
+  contact.stiffness        = 50.;
+  contact.normal[0]        = 0.6;
+  contact.normal[1]        = -0.8;
+  contact.wall_velocity    = {};
   contact.wall_velocity[1] = 0.2;
   return contact;
 }
@@ -54,8 +54,8 @@ void test_tangent(const std::string &name, const SurfaceLaw &law)
       v[d]      = uniform(random) * (trial % 2 == 0 ? 1. : 1e-3);
       lambda[d] = uniform(random) / std::sqrt(3.);
     }
-    const double p              = 30. * uniform(random);
-    const SlidingForce<dim> here = contact.force(v, p, lambda);
+    const double p                                         = 30. * uniform(random);
+    const SlidingForce<dim> here                           = contact.force(v, p, lambda);
     (here.multiplier.norm() < 1. - 1e-9 ? sticks : slides) = true;
     normal_force = std::max(normal_force, std::abs(here.value * contact.normal));
     largest      = std::max(largest, here.multiplier.norm());
@@ -88,19 +88,19 @@ void test_tangent(const std::string &name, const SurfaceLaw &law)
 /// A vertex of mass 1 kg that a force pulls: the iteration of velocity and multiplier ends at rest or sliding.
 void test_iteration()
 {
-  const auto law             = create("yield slip", {{"Sliding yield stress", "10"}, {"Slip coefficient", "2"}});
-  SlidingContact<2> contact  = contact_of<2>(*law);
-  contact.wall_velocity      = {};
-  const Tensor<1, 2> along   = Point<2>(0.8, 0.6);
+  const auto law = create("yield slip", {{"Sliding yield stress", "10"}, {"Slip coefficient", "2"}});
+  SlidingContact<2> contact = contact_of<2>(*law);
+  contact.wall_velocity     = {};
+  const Tensor<1, 2> along  = Point<2>(0.8, 0.6);
   for (const double pull : {2.5, -2.9, 3.5})
   {
-    Tensor<1, 2> v = 0.3 * along, lambda;
+    Tensor<1, 2> v              = 0.3 * along, lambda;
     const double mass_over_step = 10.; // m/Δt
     for (unsigned int k = 0; k < 60; ++k)
     {
       const SlidingForce<2> force = contact.force(v, 0., lambda);
-      const double residual = mass_over_step * (v * along) + force.value * along - pull,
-                   slope    = mass_over_step + along * (force.by_velocity * along);
+      const double residual       = mass_over_step * (v * along) + force.value * along - pull,
+                   slope          = mass_over_step + along * (force.by_velocity * along);
       v -= residual / slope * along;
       lambda = contact.force(v, 0., lambda).multiplier;
     }
@@ -121,18 +121,22 @@ void test_laws()
                                    coulomb->slips() && coulomb->resists());
   check("Navier slip", navier->resistance(7.).viscous == 30. && navier->resistance(7.).threshold == 0.);
   check("yield slip", yield->resistance(7.).viscous == 2. && yield->resistance(7.).threshold == 10.);
-  check("Coulomb", coulomb->resistance(7.).threshold == 7.5 && coulomb->resistance(7.).threshold_derivative == 0.5);
-  for (const auto &[name, law] : {std::make_pair("Navier slip", navier.get()),
-                                  std::make_pair("yield slip", yield.get()),
-                                  std::make_pair("Coulomb", coulomb.get())})
+  check("Coulomb",
+        coulomb->resistance(7.).threshold == 7.5 && coulomb->resistance(7.).threshold_derivative == 0.5);
+  for (const auto &[name, law] :
+       {std::make_pair("Navier slip", navier.get()), std::make_pair("yield slip", yield.get()),
+        std::make_pair("Coulomb", coulomb.get())})
   {
     test_tangent<2>(name, *law);
     test_tangent<3>(std::string("3D ") + name, *law);
   }
-  check_throws<InputError>("a slip coefficient of zero", {"Navier slip/Slip coefficient", "llowed"},
-                           [] { create("Navier slip", {{"Slip coefficient", "0"}}); });
-  check_throws<InputError>("a negative coefficient of friction", {"Coulomb/Friction coefficient", "-1", "llowed"},
-                           [] { create("Coulomb", {{"Friction coefficient", "-1"}}); });
+  check_throws<InputError>("a slip coefficient of zero", {"Navier slip/Slip coefficient", "llowed"}, [] {
+    create("Navier slip", {{"Slip coefficient", "0"}});
+  });
+  check_throws<InputError>("a negative coefficient of friction",
+                           {"Coulomb/Friction coefficient", "-1", "llowed"}, [] {
+                             create("Coulomb", {{"Friction coefficient", "-1"}});
+                           });
 }
 
 /// A square of four particles and one in its middle on a floor and beside a wall of another law.
@@ -142,7 +146,8 @@ void test_shares()
   const Walls<2> walls({{{{{-1., 0.}, {2., 0.}}}, true, 0}, {{{{0., -1.}, {0., 2.}}}, true, 1}});
   const WallStep<2> step(walls);
   ParticleCloud<2> cloud;
-  for (const Point<2> &p : {Point<2>(0., 0.), Point<2>(1., 0.), Point<2>(1., 1.), Point<2>(0., 1.), Point<2>(0.5, 0.5)})
+  for (const Point<2> &p :
+       {Point<2>(0., 0.), Point<2>(1., 0.), Point<2>(1., 1.), Point<2>(0., 1.), Point<2>(0.5, 0.5)})
     cloud.append(p, ParticleKind::fluid, 1.);
   SlipCondition<2>(step).initialize(cloud);
   FluidMesh<2> mesh;
