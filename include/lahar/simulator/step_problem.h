@@ -170,6 +170,8 @@ namespace Lahar
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
     void start_increment();
+    /// Friction becomes what velocities, pressures and reactions ask for.
+    void update_friction();
     /// Velocities of the known nodes.
     std::vector<Tensor<1, dim>> node_velocities() const;
     /// Values of the fluid's vertices from those of the known nodes, and the other way round, zero at other nodes.
