@@ -16,6 +16,9 @@ namespace Lahar
     /// What sticks to another wall belongs to a face if it is nearer to its facet than this times its spacing.
     constexpr double contact_distance = 0.1;
 
+    /// The normal stress beyond the pressure changes by this part in an iteration: friction changes it in turn.
+    constexpr double excess_part = 0.5;
+
     /// What is nearer to one than this is one.
     constexpr double rounding = 1e-10;
 
@@ -78,16 +81,15 @@ namespace Lahar
 
 
   template <int dim>
-  void SlidingContact<dim>::update(const Tensor<1, dim> &velocity, const double pressure,
-                                   const Tensor<1, dim> &reaction, SlidingState<dim> &state) const
+  void SlidingContact<dim>::iterate(const Tensor<1, dim> &velocity, const double pressure,
+                                    const Tensor<1, dim> &reaction, SlidingState<dim> &state) const
   {
     const Tensor<1, dim> P = force(velocity, pressure, state).multiplier;
-    const double size      = P.norm();
-    const bool turned      = !state.held && std::min(size, state.multiplier.norm()) >= 1. - rounding &&
-                        P * state.multiplier < 0.;
-    state.multiplier    = turned ? Tensor<1, dim>() : P / std::max(size, 1.);
-    state.held          = turned;
-    state.excess_stress = std::max(reaction * normal / area, 0.) + pressure;
+    const bool slides      = P.norm() >= 1. - rounding;
+    state.held             = slides && P * state.direction < 0.;
+    state.direction        = slides && !state.held ? P : Tensor<1, dim>();
+    state.excess_stress += excess_part *
+                           (std::max(reaction * normal / area, 0.) + pressure - state.excess_stress);
   }
 
 

@@ -8,8 +8,8 @@ namespace Lahar
 {
   namespace
   {
-    constexpr double inertia_factor   = 100.;
-    constexpr double viscosity_factor = 30.;
+    constexpr double inertia_factor   = 20.;
+    constexpr double viscosity_factor = 5.;
   } // namespace
 
 
@@ -56,24 +56,36 @@ namespace Lahar
 
 
   template <int dim>
-  void SlidingFriction<dim>::update(const std::vector<Tensor<1, dim>> &velocities,
-                                    const std::vector<double> &pressures,
-                                    const std::vector<Tensor<1, dim>> &reactions)
+  void SlidingFriction<dim>::iterate(const std::vector<Tensor<1, dim>> &velocities,
+                                     const std::vector<double> &pressures,
+                                     const std::vector<Tensor<1, dim>> &reactions)
   {
     for (Contact &contact : contacts)
-      contact.at.update(velocities[contact.node], pressures[contact.node], reactions[contact.node],
-                        contact.state);
+      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node],
+                         contact.state);
   }
 
 
 
   template <int dim>
-  void SlidingFriction<dim>::accept(const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const
+  bool SlidingFriction<dim>::is_settled() const
+  {
+    return std::none_of(contacts.begin(), contacts.end(),
+                        [](const Contact &contact) { return contact.state.held; });
+  }
+
+
+
+  template <int dim>
+  void SlidingFriction<dim>::accept(const std::vector<Tensor<1, dim>> &velocities,
+                                    const std::vector<double> &pressures, const FluidMesh<dim> &mesh,
+                                    ParticleCloud<dim> &cloud) const
   {
     for (Tensor<1, dim> &multiplier : cloud.friction)
       multiplier = Tensor<1, dim>();
     for (const Contact &contact : contacts)
-      cloud.friction[mesh.particle(contact.at.vertex)] = contact.state.multiplier;
+      cloud.friction[mesh.particle(contact.at.vertex)] =
+        contact.at.force(velocities[contact.node], pressures[contact.node], contact.state).multiplier;
   }
 
 

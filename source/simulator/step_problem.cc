@@ -220,13 +220,21 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::update_friction()
+  void StepProblem<dim>::iterate_friction()
   {
     if (!friction.any())
       return;
     std::vector<Tensor<1, dim>> reactions = system.momentum_residual();
     system.partition().update(reactions);
-    friction.update(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), reactions);
+    friction.iterate(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), reactions);
+  }
+
+
+
+  template <int dim>
+  bool StepProblem<dim>::is_settled() const
+  {
+    return !friction.any() || on_all_ranks(friction.is_settled());
   }
 
 
@@ -234,7 +242,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::end_iteration()
   {
-    update_friction();
+    iterate_friction();
     crushed_cells.update(fluid.state.left_out);
     if (held_vertices.update(system.partition(), constraints))
       fix_pressures();
@@ -315,8 +323,7 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solid.gather(system.partition(), system.solid_residual()), solids);
-    update_friction();
-    friction.accept(*region_mesh, cloud);
+    friction.accept(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), *region_mesh, cloud);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }

@@ -11,13 +11,14 @@
 
 namespace Lahar
 {
-  /// What a contact knows besides velocity and pressure, from the iteration before.
+  /// What a contact knows besides velocity and pressure.
   template <int dim>
   struct SlidingState
   {
     Tensor<1, dim> multiplier;    ///< λ
-    double excess_stress = 0.;    ///< N + p, Pa
-    bool held            = false; ///< whether the vertex is held whatever it takes
+    double excess_stress = 0.;    ///< e = N + p of the iteration before, Pa
+    bool held            = false; ///< whether the vertex is held, whatever it takes
+    Tensor<1, dim> direction;     ///< P of the iteration before if the vertex slid, else zero
   };
 
   /// Force of a vertex on a surface along which it slides, and its derivatives.
@@ -39,14 +40,15 @@ namespace Lahar
    *
    *   t = −[β s + τ_c P],   P = Y/max(τ_c, |Y|),   Y = τ_c λ + k s,
    *
-   * whose multiplier λ, |λ| ≤ 1, is set to P after each iteration: then P = s/|s| where the vertex slides, and s = 0 where
-   * |P| < 1, whatever k > 0 is; k says how fast. λ is kept by the particle from step to step. The tangent of P is exact.
-   * (Semismooth Newton for Tresca's and Coulomb's friction: Hüeber, Stadler & Wohlmuth, SIAM J. Sci. Comput. 30 (2008)
-   * 572–596.) Sliding that turns round within an iteration has passed over sticking: in the next one the vertex is held,
-   * P = k s/τ_c without a limit, which tells the direction in which it would slide.
+   * whose multiplier λ, |λ| ≤ 1, is constant in a step and P of its end in the next one: so P = s/|s| where the vertex
+   * slides, and where it sticks s falls to zero within few steps, the faster the larger k is. The particle keeps λ. In a
+   * step P is the derivative of a convex function of s, and its tangent is exact. (Semismooth Newton for Tresca's and
+   * Coulomb's friction: Hüeber, Stadler & Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572–596.) Sliding that turns round
+   * within an iteration has passed over sticking: in the next one the vertex is held, P = Y/τ_c without a limit.
    *
-   * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), with
-   * e = N + p of the iteration before, so that at the end friction is τ_c of the whole reaction, viscous stress included.
+   * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), with e = N + p
+   * halfway to that of the iteration before, so that at the end friction is τ_c of the whole reaction, viscous stress
+   * included.
    */
   template <int dim>
   struct SlidingContact
@@ -63,9 +65,9 @@ namespace Lahar
                             const SlidingState<dim> &state) const;
 
     /// What @p state becomes after an iteration that ended with this velocity and pressure, and with the boundary's
-    /// @p reaction on the vertex, N.
-    void update(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
-                SlidingState<dim> &state) const;
+    /// @p reaction on the vertex, N. λ stays.
+    void iterate(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
+                 SlidingState<dim> &state) const;
 
     /**
      * All contacts of a mesh at the start of a step, by ascending vertices.
