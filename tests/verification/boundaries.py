@@ -2,15 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Boundaries that resist and boundaries that move: a stiff block slides and stops by each law of friction as a mass point
 does, a bore runs before a piston, a drum takes its fluid along; with a gate that is lifted over a floor with friction a
-resumed run goes on bit for bit, and ranks agree."""
+resumed run goes on bit for bit."""
 
 import math
+import shutil
+import signal
+import subprocess
+import time
 
 import numpy as np
 
-from verification import Check, at_time, read_run, run_check, volume_changes
+from verification import CASES, Check, CheckError, at_time, on_ranks, read_run, run_check, volume_changes
 
-DENSITY, HEIGHT, WIDTH = 1000., 0.1, 0.2
+DENSITY, HEIGHT, WIDTH = 1000., 0.05, 0.2
 MASS = DENSITY * HEIGHT * WIDTH
 ALONG, ACROSS = 4.905, 8.4957  # gravity, m/s²
 # The zeros of the Bessel function J1, and J0 there.
@@ -34,7 +38,7 @@ def check_friction(check):
         return time, statistics["Momentum x (N s)"] / MASS, force, statistics["floor force y (N)"]
 
     time, v, force, weight = velocity("Coulomb")
-    check.below("Coulomb: velocity, over the one at the start", np.abs(v - (1. + (ALONG - 0.3 * ACROSS) * time)).max(), 2e-3)
+    check.below("Coulomb: velocity, over the one at the start", np.abs(v - (1. + (ALONG - 0.3 * ACROSS) * time)).max(), 3e-3)
     settled = slice(20, None)
     check.near("Coulomb: mean normal force, over the weight", -weight[settled].mean() / (MASS * ACROSS), 1., 1e-3)
     check.near("Coulomb: mean friction over mean normal force", -force[settled].mean() / weight[settled].mean(), 0.3, 1e-3)
@@ -44,22 +48,22 @@ def check_friction(check):
     deceleration = 0.9 * ACROSS - ALONG
     exact = np.maximum(1. - deceleration * time, 0.)
     check.below("Coulomb: velocity until it stops, over the one at the start", np.abs(v - exact).max(), 5e-3)
-    check.below("Coulomb: velocity once it has stopped, over the one at the start", np.abs(v[exact == 0.][10:]).max(), 1e-4)
+    check.below("Coulomb: velocity once it has stopped, over the one at the start", np.abs(v[exact == 0.][20:]).max(), 1e-4)
     check.near("Coulomb: the floor holds it", force[-10:].mean() / (MASS * ALONG), 1., 1e-3)
 
     time, v, *rest = velocity("Navier slip")
-    rate = 500. / (DENSITY * HEIGHT)
+    rate = 250. / (DENSITY * HEIGHT)
     end = ALONG / rate
     check.below("Navier slip: velocity", np.abs(v - (end + (1. - end) * np.exp(-rate * time))).max(), 5e-3)
 
     time, v, *rest = velocity("yield slip")
-    end = (ALONG - 300. / (DENSITY * HEIGHT)) / rate
+    end = (ALONG - 150. / (DENSITY * HEIGHT)) / rate
     check.below("yield slip: velocity", np.abs(v - (end + (1. - end) * np.exp(-rate * time))).max(), 5e-3)
-    time, v, force, weight = velocity("yield slip", "Boundaries/floor/yield slip/Sliding yield stress=600", "End time=0.6")
-    end = (ALONG - 600. / (DENSITY * HEIGHT)) / rate
+    time, v, force, weight = velocity("yield slip", "Boundaries/floor/yield slip/Sliding yield stress=300", "End time=0.6")
+    end = (ALONG - 300. / (DENSITY * HEIGHT)) / rate
     exact = np.maximum(end + (1. - end) * np.exp(-rate * time), 0.)
     check.below("yield slip: velocity until it stops", np.abs(v - exact).max(), 5e-3)
-    check.below("yield slip: velocity once it has stopped", np.abs(v[exact == 0.][10:]).max(), 1e-4)
+    check.below("yield slip: velocity once it has stopped", np.abs(v[exact == 0.][20:]).max(), 1e-4)
 
 
 def check_piston(check):
@@ -73,7 +77,7 @@ def check_piston(check):
     solver, remeshing = volume_changes(statistics)
     check.below("piston: volume change by the solver", solver, 1e-7)
     check.below("piston: volume change by remeshing", remeshing, 2e-3)
-    late = statistics["Time (s)"] > 0.5
+    late = statistics["Time (s)"] > 0.3
     check.near("piston: force", -statistics["piston force x (N)"][late].mean(), 0.5 * DENSITY * 9.81 * h1**2, 0.02)
     momentum = statistics["Momentum x (N s)"]
     rate = (momentum[-1] - momentum[len(momentum) // 2]) / (statistics["Time (s)"][-1] -
@@ -85,28 +89,51 @@ def check_drum(check):
     """v = ω r + 2 ω R Σ J1(j r/R)/(j J0(j)) exp(−ν j² t/R²), J1(j) = 0."""
     statistics = read_run(check.run("boundaries/drum.prm"))
     omega, radius, nu, r = 2., 0.1, 0.01, 0.05
-    for time in (0.02, 0.05, 0.1):
+    for instant in (0.04, 0.1, 0.2):
         exact = omega * r + 2. * omega * radius * sum(
-            bessel_1(j * r / radius) / (j * j0) * math.exp(-nu * j**2 * time / radius**2) for j, j0 in BESSEL)
+            bessel_1(j * r / radius) / (j * j0) * math.exp(-nu * j**2 * instant / radius**2) for j, j0 in BESSEL)
         # The velocity is that of the middle of the step.
-        check.near(f"drum: velocity at half the radius at {time} s", at_time(statistics, "half velocity y (m/s)", time + 1e-3),
-                   exact, 0.02)
-    check.near("drum: at the end it turns as a body", statistics["half velocity y (m/s)"][-1], omega * r, 0.05)
+        check.near(f"drum: velocity at half the radius at {instant} s",
+                   at_time(statistics, "half velocity y (m/s)", instant + 1e-3), exact, 0.025)
     check.below("drum: volume change by the solver", volume_changes(statistics)[0], 1e-7)
 
 
-def check_resume_and_ranks(check):
-    """Columns but times and counts that do not follow from the fluid's state."""
-    def columns(directory):
-        return {name: column for name, column in read_run(directory).items() if name != "Wall time (s)"}
+def interrupt(check, prm, n_steps):
+    """Run the case until it has made some steps, as check.run() would, and stop it by a signal."""
+    directory = (check.output / "interrupted").resolve()
+    shutil.rmtree(directory, ignore_errors=True)
+    command, environment = on_ranks([str(check.lahar), "--set", f"Output directory={directory}", str(CASES / prm)],
+                                    check.mpiexec, check.n_ranks)
+    run = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    while run.poll() is None:
+        time.sleep(0.02)
+        try:
+            n = sum(not line.startswith("#") for line in (directory / "statistics").read_text().splitlines())
+        except OSError:
+            continue
+        if n >= n_steps:
+            run.send_signal(signal.SIGTERM)
+            break
+    run.wait()
+    n = len(read_run(directory)["Time (s)"])
+    command.insert(command.index("--set"), "--resume")
+    if subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
+        raise CheckError(f"{prm}: the resumed run fails")
+    return n, directory
 
-    whole = columns(check.run("boundaries/lifted_gate.prm"))
-    check.run("boundaries/lifted_gate.prm", "End time=0.05")
-    resumed = columns(check.run("boundaries/lifted_gate.prm", resume=True))
-    check.below("gate: columns that differ in the resumed run",
-                sum(not np.array_equal(whole[name], resumed[name]) for name in whole), 0)
+
+def check_gate(check):
+    whole = read_run(check.run("boundaries/lifted_gate.prm"))
     check.below("gate: volume change by the solver", volume_changes(whole)[0], 1e-7)
     check.below("gate: volume change by remeshing", volume_changes(whole)[1], 5e-3)
+    n, directory = interrupt(check, "boundaries/lifted_gate.prm", 30)
+    check.below("gate: where the run was interrupted, over its steps", n / len(whole["Time (s)"]), 0.99)
+    resumed = read_run(directory)
+    # On several ranks MUMPS does not sum in the same order twice.
+    tolerance = 0. if check.n_ranks == 1 else 1e-6
+    for name in ("Fluid volume (m^dim)", "Kinetic energy (J)", "gate force x (N)", "floor force x (N)", "back force x (N)"):
+        difference = np.abs(whole[name] - resumed[name]).max() / np.abs(whole[name]).max()
+        check.below(f"gate: '{name}' of the resumed run", difference, tolerance)
 
 
 def main():
@@ -114,7 +141,7 @@ def main():
     check_friction(check)
     check_drum(check)
     check_piston(check)
-    check_resume_and_ranks(check)
+    check_gate(check)
     check.finish()
 
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/linear/block_system.h>
+
+#include <cmath>
+
+namespace Lahar
+{
+  template <int dim>
+  void BlockSystem<dim>::add_solid(const unsigned int k, FullMatrix<double> &matrix,
+                                   dealii::Vector<double> &residual)
+  {
+    const unsigned int n     = nodes_per_solid_cell;
+    const unsigned int *cell = &local_solid_cells[static_cast<std::size_t>(k) * n];
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        solid_residuals[cell[I]][a] += residual[I * dim + a];
+      Assert(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
+             ExcMessage("A solid's node is free or has its whole velocity prescribed."));
+      if (constraints[cell[I]].n_fixed == dim)
+        for (unsigned int a = 0; a < dim; ++a)
+        {
+          const unsigned int i  = I * dim + a;
+          const double diagonal = matrix(i, i);
+          for (unsigned int k = 0; k < n * dim; ++k)
+            matrix(i, k) = matrix(k, i) = 0.;
+          matrix(i, i) = std::abs(diagonal);
+          residual[i]  = 0.;
+        }
+    }
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        velocity_diagonals[cell[I]][a] += matrix(I * dim + a, I * dim + a);
+      if (cell[I] >= node_partition.n_own())
+        continue;
+      double *K_rows = block_values[0][0] +
+                       dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
+      const std::size_t K_degree       = all_graph.degree(cell[I]);
+      const unsigned short *row_places = &solid_places[(static_cast<std::size_t>(k) * n + I) * n];
+      for (unsigned int a = 0; a < dim; ++a)
+      {
+        rhs_values[0][dim * cell[I] + a] -= residual[I * dim + a];
+        for (unsigned int J = 0; J < n; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            K_rows[dim * (a * K_degree + row_places[J]) + b] += matrix(I * dim + a, J * dim + b);
+      }
+    }
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::add_solid(const unsigned int node, const Tensor<1, dim> &residual)
+  {
+    const unsigned int l = node_partition.local(node);
+    if (l >= node_partition.n_own())
+      return;
+    solid_residuals[l] += residual;
+    if (constraints[l].n_fixed == 0)
+      for (unsigned int a = 0; a < dim; ++a)
+        rhs_values[0][dim * l + a] -= residual[a];
+  }
+
+
+
+  template <int dim>
+  void BlockSystem<dim>::add_at_node(const unsigned int node, const Tensor<1, dim> &residual,
+                                     const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure)
+  {
+    AssertIndexRange(node, constraints.size());
+    if (node >= node_partition.n_with_rows())
+      return;
+    const NodeConstraint<dim> &constraint = constraints[node];
+    const bool is_skew                    = constraint.n_fixed > 0 && constraint.n_fixed < dim;
+    const Tensor<2, dim> frame = is_skew ? constraint.frame : Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    const Tensor<1, dim> force = frame * residual, column = frame * by_pressure;
+    const Tensor<2, dim> block = frame * by_velocity * transpose(frame);
+
+    const unsigned int number = fluid_numbers[node];
+    const bool own            = node < node_partition.n_own();
+    const std::size_t start   = pressure_graph.row_start[number] -
+                              (own ? 0 : pressure_graph.row_start[n_own_pressures]),
+                      degree = pressure_graph.degree(number);
+    double *Q_rows           = (own ? block_values[0][1] : halo_gradient.data()) + dim * start;
+    const unsigned int place = pressure_graph.place(number, number);
+    for (unsigned int a = constraint.n_fixed; a < dim; ++a)
+    {
+      velocity_diagonals[node][a] += block[a][a];
+      if (!constraint.fixed_pressure)
+        Q_rows[a * degree + place] += column[a];
+      if (!own)
+        continue;
+      rhs_values[0][dim * node + a] -= force[a];
+      double *K = block_values[0][0] +
+                  dim * dim * static_cast<std::size_t>(velocity_graph().row_start[node]) +
+                  dim * (a * velocity_graph().degree(node) + velocity_graph().place(node, node));
+      for (unsigned int b = constraint.n_fixed; b < dim; ++b)
+        K[b] += block[a][b];
+    }
+  }
+
+
+
+  template void BlockSystem<2>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
+  template void BlockSystem<3>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
+  template void BlockSystem<2>::add_solid(const unsigned int, const Tensor<1, 2> &);
+  template void BlockSystem<3>::add_solid(const unsigned int, const Tensor<1, 3> &);
+  template void BlockSystem<2>::add_at_node(const unsigned int, const Tensor<1, 2> &, const Tensor<2, 2> &,
+                                            const Tensor<1, 2> &);
+  template void BlockSystem<3>::add_at_node(const unsigned int, const Tensor<1, 3> &, const Tensor<2, 3> &,
+                                            const Tensor<1, 3> &);
+} // namespace Lahar
