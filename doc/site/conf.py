@@ -4,9 +4,10 @@ the top of the repository, which stay as a forge shows them.
 
 What a forge knows and Sphinx does not:
 
-* Index pages are lists of links; they become the tree of the navigation. Folders with an entry a date (notebook, changes)
-  are listed by themselves, the last one first.
+* Index pages are lists of links; they become the tree of the navigation. Folders with an entry a date (notebook,
+  changes) are listed by themselves, the last one first.
 * Links to files that are no pages lead to copies of these files in the site, headers and sources to the API.
+* Symbols in sentences, such as v_n, get their subscripts.
 * `Names` of classes, functions and headers lead to the API, and each class there leads back (LAHAR_BACKLINKS).
 """
 import os
@@ -17,6 +18,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 from docutils import nodes
+from pygments import lexer, token
 from sphinx.util import logging
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -43,8 +45,8 @@ html_copy_source = html_show_sourcelink = False
 html_static_path = ["site.css"]
 html_css_files = ["site.css"]
 templates_path = ["."]
-html_sidebars = {"**": ["sidebar/scroll-start.html", "sidebar/brand.html", "sidebar/search.html", "sidebar/navigation.html",
-                        "api_link.html", "sidebar/scroll-end.html"]}
+html_sidebars = {"**": ["sidebar/scroll-start.html", "sidebar/brand.html", "sidebar/search.html",
+                        "sidebar/navigation.html", "api_link.html", "sidebar/scroll-end.html"]}
 # MathJax 2 as Debian has it, in the site; its SVG output needs no fonts, so pages work from a disk, too.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
 mathjax2_config = {"tex2jax": {"processClass": "tex2jax_process|mathjax_process|math"}, "showMathMenu": False,
@@ -215,6 +217,29 @@ def link_code(app, doctree, docname):
         link += node
 
 
+# Symbols as they stand in sentences: v_n, R_p,I, μ_eff, τ0.
+SUBSCRIPT = re.compile(r"(?<![\w/])([^\W\d_]{1,2}[\u0300-\u036f]?)_([A-Za-zρ∞0-9]+(?:,[A-Za-z]\b)?)(?!\w)|τ(0)(?!\w)")
+
+
+def set_subscripts(app, doctree, docname):
+    if not docname.startswith("doc/"):
+        return
+    for text in list(doctree.findall(nodes.Text)):
+        parent = text.parent
+        while parent is not None and not isinstance(parent, (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block,
+                                                             nodes.raw)):
+            parent = parent.parent
+        if parent is not None or not SUBSCRIPT.search(text):
+            continue
+        pieces, end = [], 0
+        for match in SUBSCRIPT.finditer(text):
+            pieces.append(nodes.Text(text[end:match.start()] + (match.group(1) or "τ")))
+            pieces.append(nodes.subscript("", match.group(2) or match.group(3)))
+            end = match.end()
+        pieces.append(nodes.Text(text[end:]))
+        text.parent.replace(text, [piece for piece in pieces if piece.astext()])
+
+
 def write_backlinks(app, exception):
     """A page of Doxygen's that adds the manual's pages to the classes that they name."""
     path = os.environ.get("LAHAR_BACKLINKS")
@@ -229,6 +254,20 @@ def write_backlinks(app, exception):
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Copies of files
+
+class ParameterFile(lexer.RegexLexer):
+    """Files of parameters in colours."""
+    name = "prm"
+    aliases = ["prm"]
+    filenames = ["*.prm"]
+    tokens = {"root": [
+        (r"#.*$", token.Comment),
+        (r"^(\s*)(subsection)(.*)$", lexer.bygroups(token.Text, token.Keyword, token.Name.Class)),
+        (r"^(\s*)(end)\b", lexer.bygroups(token.Text, token.Keyword)),
+        (r"^(\s*)(set)([^=\n]*)(=)", lexer.bygroups(token.Text, token.Keyword, token.Name.Attribute, token.Operator)),
+        (r"^(\s*)(include)", lexer.bygroups(token.Text, token.Keyword)),
+        (r"[^#\n]+|\n", token.Text)]}
+
 
 def file_pages(app):
     from pygments.lexers import get_lexer_for_filename
@@ -252,7 +291,7 @@ def file_pages(app):
             except UnicodeDecodeError:
                 text = "(binary)"
             try:
-                language = get_lexer_for_filename(path).aliases[0]
+                language = "prm" if path.endswith(".prm") else get_lexer_for_filename(path).aliases[0]
             except ClassNotFound:
                 language = "python" if text.startswith("#!/usr/bin/python") else "bash" if text.startswith("#!") else "text"
             # Files that programs write may have hundreds of thousands of lines.
@@ -263,8 +302,10 @@ def file_pages(app):
 
 
 def setup(app):
+    app.add_lexer("prm", ParameterFile)
     app.connect("source-read", resolve_links)
     app.connect("doctree-resolved", link_code)
+    app.connect("doctree-resolved", set_subscripts)
     app.connect("html-collect-pages", file_pages)
     app.connect("build-finished", write_backlinks)
     return {"parallel_read_safe": False, "parallel_write_safe": False}

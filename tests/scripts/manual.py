@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""contrib/build-docs makes the site without a warning, and what its pages refer to is there: pages and headings, figures,
-scripts and styles, all of them in the site itself. Manual and API lead to each other.
+"""contrib/build-docs makes the site without a warning, and what its pages refer to is there: pages and headings,
+figures, scripts and styles, all of them in the site itself. Manual and API lead to each other.
 
 Usage: manual.py
 """
