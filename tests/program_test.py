@@ -1,21 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests that run the program `lahar` from outside share."""
 import os
+import tempfile
 
 failed = []
+
+# Where Open MPI keeps its files: another program's MPI may remove the common directory at the wrong moment.
+_session = tempfile.TemporaryDirectory(prefix="lahar-mpi-")
 
 # One thread a rank; Open MPI may run as root, without a remote shell or a network, and with more ranks than cores
 # (version 4 and 5).
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
                    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe", OMPI_MCA_plm_rsh_agent="",
-                   OMPI_MCA_btl="^tcp")
+                   OMPI_MCA_btl="^tcp", OMPI_MCA_orte_tmpdir_base=_session.name)
+
+# For one rank without MPI's launcher: without a daemon and drivers for networks, which take minutes now and then.
+ALONE = dict(ENVIRONMENT, OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_pml="ob1", OMPI_MCA_btl="self")
 
 
 def on_ranks(command, mpiexec, n_ranks):
     """The command on several ranks, with the environment for it; on one rank without MPI's launcher."""
     if n_ranks == 1:
-        return command, ENVIRONMENT
+        return command, ALONE
     return [mpiexec, "-np", str(n_ranks), *command], dict(ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1")
 
 

@@ -29,28 +29,37 @@ namespace Lahar
 
 
   template <int dim>
-  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls,
+  void stop_at_walls(const std::vector<Point<dim>> &old_position, const WallStep<dim> &step,
                      ParticleCloud<dim> &cloud)
   {
+    const Walls<dim> &walls = step.end();
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
       if (cloud.kind[i] != ParticleKind::fluid)
         continue;
-      const Tensor<1, dim> path = cloud.position[i] - old_position[i];
-      double fraction           = 1.;
-      for (const unsigned int facet :
-           walls.crossed(old_position[i], cloud.position[i], 0., 1e-3 * cloud.spacing[i]))
+      // Both ends of the way in the frame of the wall that stops the particle first.
+      const Point<dim> end = cloud.position[i];
+      double fraction      = 1.;
+      Point<dim> start;
+      unsigned int boundary = 0;
+      for (const unsigned int facet : step.crossed(old_position[i], end, 0., 1e-3 * cloud.spacing[i]))
         if (!walls.facets()[facet].slip)
         {
-          const double before = walls.signed_distance(facet, old_position[i]);
-          const double after  = walls.signed_distance(facet, cloud.position[i]);
-          const double stop   = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
-          fraction            = std::min(fraction, (std::abs(before) - stop) / std::abs(before - after));
+          const Point<dim> from = step.carried(walls.facets()[facet].boundary, old_position[i]);
+          const double before   = walls.signed_distance(facet, from);
+          const double after    = walls.signed_distance(facet, end);
+          const double stop     = std::min(std::abs(before), 0.1 * cloud.spacing[i]);
+          if (const double part = (std::abs(before) - stop) / std::abs(before - after); part < fraction)
+          {
+            fraction = part;
+            start    = from;
+            boundary = walls.facets()[facet].boundary;
+          }
         }
       if (fraction < 1.)
       {
-        cloud.position[i]                 = old_position[i] + fraction * path;
-        cloud.velocity[i]                 = Tensor<1, dim>();
+        cloud.position[i]                 = start + fraction * (end - start);
+        cloud.velocity[i]                 = step.velocity_at_end(boundary, cloud.position[i]);
         cloud.acceleration[i]             = Tensor<1, dim>();
         cloud.algorithmic_acceleration[i] = Tensor<1, dim>();
       }
@@ -63,6 +72,6 @@ namespace Lahar
                                            ParticleCloud<2> &);
   template void move_isolated_particles<3>(const FluidMesh<3> &, const Tensor<1, 3> &, const double,
                                            ParticleCloud<3> &);
-  template void stop_at_walls<2>(const std::vector<Point<2>> &, const Walls<2> &, ParticleCloud<2> &);
-  template void stop_at_walls<3>(const std::vector<Point<3>> &, const Walls<3> &, ParticleCloud<3> &);
+  template void stop_at_walls<2>(const std::vector<Point<2>> &, const WallStep<2> &, ParticleCloud<2> &);
+  template void stop_at_walls<3>(const std::vector<Point<3>> &, const WallStep<3> &, ParticleCloud<3> &);
 } // namespace Lahar

@@ -29,21 +29,21 @@ namespace Lahar
       return;
     // A facet in the plane of those in contact adds no direction; in 3D, where facets of one plane meet, it would take
     // the slot of one that does.
-    const unsigned int n_fixed = constraint(particle, cloud).n_fixed;
+    const unsigned int n_fixed = sliding_at_end(particle, cloud).n_fixed;
     *free_slot                 = facet;
-    if (constraint(particle, cloud).n_fixed == n_fixed)
+    if (sliding_at_end(particle, cloud).n_fixed == n_fixed)
     {
       *free_slot = ParticleCloud<dim>::no_facet;
       return;
     }
 
     // Move the particle along the directions that its other facets leave free.
-    const NodeConstraint<dim> fixed = constraint(particle, cloud);
+    const NodeConstraint<dim> fixed = sliding_at_end(particle, cloud);
     Tensor<1, dim> direction        = walls.normal(facet);
     for (unsigned int a = 0; a < fixed.n_fixed; ++a)
     {
       const Tensor<1, dim> &normal = fixed.frame[a];
-      cloud.velocity[particle] -= (cloud.velocity[particle] * normal) * normal;
+      cloud.velocity[particle] -= ((cloud.velocity[particle] - fixed.velocity) * normal) * normal;
       cloud.acceleration[particle] -= (cloud.acceleration[particle] * normal) * normal;
       cloud.algorithmic_acceleration[particle] -= (cloud.algorithmic_acceleration[particle] * normal) *
                                                   normal;
@@ -88,7 +88,7 @@ namespace Lahar
           facet = ParticleCloud<dim>::no_facet;
       std::sort(slots.begin(), slots.end(), std::greater<int>());
 
-      for (const unsigned int facet : walls.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
+      for (const unsigned int facet : step.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
         if (walls.facets()[facet].slip)
           attach(i, facet, cloud);
       for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
@@ -113,27 +113,69 @@ namespace Lahar
   NodeConstraint<dim> SlipCondition<dim>::constraint(const unsigned int particle,
                                                      const ParticleCloud<dim> &cloud) const
   {
+    if (cloud.kind[particle] == ParticleKind::fluid)
+      return sliding(particle, cloud, [&](const unsigned int facet) {
+        return step.normal_velocity(facet, cloud.position[particle]);
+      });
     NodeConstraint<dim> result;
-    if (cloud.kind[particle] != ParticleKind::fluid)
+    result.n_fixed = dim;
+    if (cloud.kind[particle] == ParticleKind::wall && step.moves(cloud.part[particle]))
     {
-      result.n_fixed = dim;
-      return result;
+      result.moves    = true;
+      result.velocity = step.velocity(cloud.part[particle], cloud.position[particle]);
     }
+    return result;
+  }
+
+
+
+  template <int dim>
+  NodeConstraint<dim> SlipCondition<dim>::sliding_at_end(const unsigned int particle,
+                                                         const ParticleCloud<dim> &cloud) const
+  {
+    return sliding(particle, cloud, [&](const unsigned int facet) {
+      return walls.normal(facet) *
+             step.velocity_at_end(walls.facets()[facet].boundary, cloud.position[particle]);
+    });
+  }
+
+
+
+  template <int dim>
+  NodeConstraint<dim>
+  SlipCondition<dim>::sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,
+                              const std::function<double(const unsigned int)> &speed) const
+  {
+    NodeConstraint<dim> result;
     if (!cloud.on_slip_wall(particle))
       return result;
 
     // Gram–Schmidt: the normals first, then coordinate directions to complete the frame.
     unsigned int n_rows = 0;
-    const auto add      = [&](Tensor<1, dim> direction, const double tolerance) {
+    Tensor<1, dim> velocity; // in the directions so far
+    const auto add = [&](Tensor<1, dim> direction, const double tolerance, double along) {
       for (unsigned int a = 0; a < n_rows; ++a)
-        direction -= (direction * result.frame[a]) * result.frame[a];
+      {
+        const double share = direction * result.frame[a];
+        direction -= share * result.frame[a];
+        along -= share * (velocity * result.frame[a]);
+      }
       if (n_rows < dim && direction.norm() > tolerance)
-        result.frame[n_rows++] = direction / direction.norm();
+      {
+        result.frame[n_rows] = direction / direction.norm();
+        if (along != 0.)
+          velocity += along / direction.norm() * result.frame[n_rows];
+        ++n_rows;
+      }
     };
     for (const int facet : cloud.slip_facets[particle])
       if (facet != ParticleCloud<dim>::no_facet)
-        add(walls.normal(facet), parallel_tolerance);
-    result.n_fixed = n_rows;
+      {
+        add(walls.normal(facet), parallel_tolerance, speed(facet));
+        result.moves = result.moves || step.facet_moves(facet);
+      }
+    result.n_fixed  = n_rows;
+    result.velocity = velocity;
     while (n_rows < dim)
     {
       // The coordinate direction that the rows so far leave most of.
@@ -151,7 +193,7 @@ namespace Lahar
           best      = rest;
         }
       }
-      add(best, 0.);
+      add(best, 0., 0.);
     }
     return result;
   }

@@ -5,6 +5,8 @@
 #include <lahar/initial/boundary.h>
 #include <lahar/utilities/factory.h>
 
+#include <sstream>
+
 namespace Lahar
 {
   template <int dim>
@@ -12,6 +14,7 @@ namespace Lahar
   {
     Factory<BoundaryShape<dim>>::declare_models(prm, "Shape", "", "Where the boundary is.");
     Factory<SurfaceLaw>::declare_models(prm, "Law", "no slip", "How fluid moves along the boundary.");
+    Factory<BoundaryMotion<dim>>::declare_models(prm, "Motion", "fixed", "How the boundary moves.");
   }
 
 
@@ -19,9 +22,40 @@ namespace Lahar
   template <int dim>
   void Boundary<dim>::parse_parameters(Parameters &prm, const std::string &new_name)
   {
-    name  = new_name;
-    shape = Factory<BoundaryShape<dim>>::create_chosen(prm, "Shape");
-    law   = Factory<SurfaceLaw>::create_chosen(prm, "Law");
+    name   = new_name;
+    path   = prm.path("Motion");
+    shape  = Factory<BoundaryShape<dim>>::create_chosen(prm, "Shape");
+    law    = Factory<SurfaceLaw>::create_chosen(prm, "Law");
+    motion = Factory<BoundaryMotion<dim>>::create_chosen(prm, "Motion");
+  }
+
+
+
+  template <int dim>
+  void Boundary<dim>::check_start(const double start_time) const
+  {
+    if (!motion->moves())
+      return;
+    RigidMotion<dim> start;
+    try
+    {
+      start = motion->at(start_time);
+    }
+    catch (const RunError &error)
+    {
+      throw InputError("Boundary '" + name + "': " + error.what() + ". Allowed: finite values.");
+    }
+    for (const WallShape<dim> &wall : shape->walls())
+      for (const WallFacet<dim> &facet : wall.facets())
+        for (const Point<dim> &corner : facet.corners)
+          if (const Point<dim> moved = start(corner); moved.distance(corner) > 1e-12 * (1. + corner.norm()))
+          {
+            std::ostringstream message;
+            message << "Boundary '" << name << "' is displaced by (" << moved - corner
+                    << ") m at 'Start time', " << start_time << " s: see '" << path
+                    << "'. Allowed: a motion that begins where the shape is drawn.";
+            throw InputError(message.str());
+          }
   }
 
 
@@ -40,6 +74,7 @@ namespace Lahar
                   "'" + name + "'";
       wall.slip     = law->slips();
       wall.boundary = number;
+      wall.moves    = motion->moves();
     }
     return result;
   }

@@ -112,6 +112,17 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<const SurfaceLaw *> InitialGeometry<dim>::surface_laws() const
+  {
+    std::vector<const SurfaceLaw *> laws;
+    for (const Boundary<dim> &boundary : boundaries)
+      laws.push_back(boundary.law.get());
+    return laws;
+  }
+
+
+
+  template <int dim>
   std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
   {
     std::vector<std::string> result;
@@ -126,9 +137,11 @@ namespace Lahar
   template void InitialGeometry<2>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<2>::parse_parameters(Parameters &, const CaseStructure &);
   template const FluidLaw &InitialGeometry<2>::law() const;
+  template std::vector<const SurfaceLaw *> InitialGeometry<2>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<3>::parse_parameters(Parameters &, const CaseStructure &);
   template const FluidLaw &InitialGeometry<3>::law() const;
+  template std::vector<const SurfaceLaw *> InitialGeometry<3>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;
 } // namespace Lahar

@@ -333,6 +333,44 @@ namespace Lahar
 
 
   template <int dim>
+  void BlockSystem<dim>::add_at_node(const unsigned int node, const Tensor<1, dim> &residual,
+                                     const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure)
+  {
+    AssertIndexRange(node, constraints.size());
+    if (node >= node_partition.n_with_rows())
+      return;
+    const NodeConstraint<dim> &constraint = constraints[node];
+    const bool is_skew                    = constraint.n_fixed > 0 && constraint.n_fixed < dim;
+    const Tensor<2, dim> frame = is_skew ? constraint.frame : Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    const Tensor<1, dim> force = frame * residual, column = frame * by_pressure;
+    const Tensor<2, dim> block = frame * by_velocity * transpose(frame);
+
+    const unsigned int number = fluid_numbers[node];
+    const bool own            = node < node_partition.n_own();
+    const std::size_t start   = pressure_graph.row_start[number] -
+                              (own ? 0 : pressure_graph.row_start[n_own_pressures]),
+                      degree = pressure_graph.degree(number);
+    double *Q_rows           = (own ? block_values[0][1] : halo_gradient.data()) + dim * start;
+    const unsigned int place = pressure_graph.place(number, number);
+    for (unsigned int a = constraint.n_fixed; a < dim; ++a)
+    {
+      velocity_diagonals[node][a] += block[a][a];
+      if (!constraint.fixed_pressure)
+        Q_rows[a * degree + place] += column[a];
+      if (!own)
+        continue;
+      rhs_values[0][dim * node + a] -= force[a];
+      double *K = block_values[0][0] +
+                  dim * dim * static_cast<std::size_t>(velocity_graph().row_start[node]) +
+                  dim * (a * velocity_graph().degree(node) + velocity_graph().place(node, node));
+      for (unsigned int b = constraint.n_fixed; b < dim; ++b)
+        K[b] += block[a][b];
+    }
+  }
+
+
+
+  template <int dim>
   const Tensor<1, dim> &BlockSystem<dim>::velocity_diagonal(const unsigned int local_node) const
   {
     AssertIndexRange(local_node, node_partition.n_with_rows());

@@ -35,6 +35,7 @@ namespace Lahar
     pressure_rate.push_back(0.);
     owed_volume.push_back(0.);
     reaction.emplace_back();
+    friction.emplace_back();
     kind.push_back(new_kind);
     part.push_back(new_part);
     spacing.push_back(new_spacing);
@@ -58,6 +59,7 @@ namespace Lahar
     acceleration[i]             = 0.5 * (acceleration[a] + acceleration[b]);
     algorithmic_acceleration[i] = 0.5 * (algorithmic_acceleration[a] + algorithmic_acceleration[b]);
     pressure[i]                 = 0.5 * (pressure[a] + pressure[b]);
+    friction[i]                 = 0.5 * (friction[a] + friction[b]);
     pressure_rate[i]            = 0.5 * (pressure_rate[a] + pressure_rate[b]);
     owner[i]                    = owner[a];
 
@@ -88,6 +90,7 @@ namespace Lahar
     compress(pressure_rate, removed);
     compress(owed_volume, removed);
     compress(reaction, removed);
+    compress(friction, removed);
     compress(kind, removed);
     compress(part, removed);
     compress(spacing, removed);
@@ -111,6 +114,7 @@ namespace Lahar
       *value++ = acceleration[i][d];
       *value++ = algorithmic_acceleration[i][d];
       *value++ = reaction[i][d];
+      *value++ = friction[i][d];
       *value++ = slip_facets[i][d];
     }
     for (const double x :
@@ -133,6 +137,7 @@ namespace Lahar
       acceleration[i][d]             = *value++;
       algorithmic_acceleration[i][d] = *value++;
       reaction[i][d]                 = *value++;
+      friction[i][d]                 = *value++;
       slip_facets[i][d]              = static_cast<int>(*value++);
     }
     pressure[i]      = *value++;

@@ -12,7 +12,7 @@ namespace Lahar
    * discrete momentum equation at its particles and at those that slide on it, see TimeIntegration::mean_force().
    *
    * A particle that boundaries share belongs to the first of them. Where a particle slides along facets of several
-   * boundaries, each has the part of the reaction along its normal.
+   * boundaries, each has the part of the reaction along its normal, and the first one what is along the edge.
    */
   template <int dim>
   class BoundaryForces : public Postprocessor<dim>
@@ -48,7 +48,7 @@ namespace Lahar
       forces[snapshot.walls.facets()[facets[0]].boundary] += force;
       return;
     }
-    // force = Σ a_k n_k, the normals being independent of each other.
+    // force = Σ a_k n_k + rest, the normals being independent of each other.
     const unsigned int n = facets.size();
     FullMatrix<double> products(n, n);
     Vector<double> along(n), shares(n);
@@ -60,8 +60,14 @@ namespace Lahar
     }
     products.gauss_jordan();
     products.vmult(shares, along);
+    Tensor<1, dim> rest = force;
     for (unsigned int k = 0; k < n; ++k)
-      forces[snapshot.walls.facets()[facets[k]].boundary] += shares[k] * snapshot.walls.normal(facets[k]);
+    {
+      const Tensor<1, dim> part = shares[k] * snapshot.walls.normal(facets[k]);
+      forces[snapshot.walls.facets()[facets[k]].boundary] += part;
+      rest -= part;
+    }
+    forces[snapshot.walls.facets()[facets[0]].boundary] += rest;
   }
 
 

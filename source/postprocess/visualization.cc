@@ -68,8 +68,9 @@ namespace Lahar
       records.push_back({snapshot.time, 0, fluid_file});
     if (!snapshot.solids.empty())
       records.push_back({snapshot.time, 1, "solid" + number + ".vtu"});
+    const bool walls_move = any_moves(snapshot.walls);
     if (has_walls)
-      records.push_back({snapshot.time, 2, walls_file});
+      records.push_back({snapshot.time, 2, walls_move ? "walls" + number + ".vtu" : walls_file});
     std::string news;
     on_first_rank(communicator, [&] {
       if (!snapshot.solids.empty())
@@ -78,6 +79,9 @@ namespace Lahar
         write_atomically(directory + "/solid" + number + ".vtu",
                          [&](std::ostream &file) { output.write_vtu(file); });
       }
+      if (walls_move)
+        write_atomically(directory + "/walls" + number + ".vtu",
+                         [&](std::ostream &file) { write_walls_vtu(snapshot.walls, file); });
       news = write_records();
     });
     return news;
@@ -89,7 +93,7 @@ namespace Lahar
   void Visualization<dim>::write_walls(const Walls<dim> &walls)
   {
     has_walls = !walls.facets().empty();
-    if (has_walls)
+    if (has_walls && !any_moves(walls))
       on_first_rank(communicator, [&] {
         write_atomically(directory + "/" + walls_file,
                          [&](std::ostream &file) { write_walls_vtu(walls, file); });

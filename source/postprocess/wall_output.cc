@@ -6,6 +6,8 @@
 
 #include <lahar/postprocess/wall_output.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   template <int dim>
@@ -31,6 +33,17 @@ namespace Lahar
 
 
 
+  template <int dim>
+  bool any_moves(const Walls<dim> &walls)
+  {
+    return std::any_of(walls.facets().begin(), walls.facets().end(),
+                       [](const WallFacet<dim> &facet) { return facet.moves; });
+  }
+
+
+
   template void write_walls_vtu(const Walls<2> &, std::ostream &);
   template void write_walls_vtu(const Walls<3> &, std::ostream &);
+  template bool any_moves(const Walls<2> &);
+  template bool any_moves(const Walls<3> &);
 } // namespace Lahar

@@ -24,6 +24,8 @@ namespace Lahar
     mesh_size.parse_parameters(prm, run.mesh_size);
     gravity = prm.get_vector<dim>("Gravity");
     geometry.parse_parameters(prm, structure);
+    for (const Boundary<dim> &boundary : geometry.all_boundaries())
+      boundary.check_start(run.start_time);
     domain_limit.parse_parameters(prm);
   }
 

@@ -190,6 +190,8 @@ namespace Lahar
                         "one written by the same program on the same kind of machine");
       }
     });
+    if (input.geometry.any_boundary_moves())
+      walls = input.geometry.walls_at(time);
     load_pieces(content);
     if (const auto found = particles_and_cells(); found != counts)
       checkpoint.fail("gives " + std::to_string(found.first) + " particles and " +

@@ -55,8 +55,9 @@ namespace Lahar
       product[v]          = is_short ? product[v] * followed[v] : 1.;
       if (n_short[v] >= n_short_to_hold && product[v] < smallest_product && can_be_held[v])
       {
-        can_be_held[v] = false;
-        constraints[v] = {dim, unit_symmetric_tensor<dim>(), false};
+        can_be_held[v]         = false;
+        constraints[v]         = {};
+        constraints[v].n_fixed = dim;
         n_own_new += (v < partition.n_own());
       }
     }

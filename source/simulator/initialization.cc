@@ -41,7 +41,7 @@ namespace Lahar
     if (const std::string text = warn_of_open_floor(particles, obstacles(contour), input.gravity);
         !text.empty())
       output.warn(text);
-    SlipCondition<dim>(walls).initialize(particles);
+    SlipCondition<dim>(WallStep<dim>(walls)).initialize(particles);
     input.domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();

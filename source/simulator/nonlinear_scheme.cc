@@ -159,7 +159,7 @@ namespace Lahar
     report.pressure_increment = problem.pressure_increment();
     if (is_converged(report))
       return;
-    problem.hold_blocked_vertices();
+    problem.end_iteration();
 
     if (report.velocity_increment < motion_increment)
       linearization.motion = motion = true;

@@ -150,7 +150,7 @@ namespace Lahar
         say_mended("parameters.prm");
       }
       const std::string walls_file = parameters.output_directory + "/walls.vtu";
-      if (!walls.facets().empty() && !std::filesystem::exists(walls_file, error))
+      if (!walls.facets().empty() && !any_moves(walls) && !std::filesystem::exists(walls_file, error))
       {
         write_atomically(walls_file, [&](std::ostream &file) { write_walls_vtu(walls, file); });
         say_mended("walls.vtu");

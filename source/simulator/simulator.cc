@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace Lahar
@@ -129,12 +130,16 @@ namespace Lahar
       remesh(time_step);
 
     NonlinearReport report;
+    std::optional<WallStep<dim>> wall_step;
     for (bool accepted = false; !accepted;)
       try
       {
         time_integration.start_step(time_step, counters.steps == 0);
-        problem.start_step({fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity,
-                            time_integration, time + time_step, constraints(), remeshing.arrives});
+        wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
+        problem.start_step(
+          {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
+           time + time_step, constraints(*wall_step), remeshing.arrives,
+           SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws())});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -160,7 +165,9 @@ namespace Lahar
     step_control->accept(report.iterations);
 
     const std::vector<Point<dim>> old_position = solids.state().position;
-    move_particles(time_step);
+    move_particles(time_step, *wall_step);
+    if (wall_step->any_moves())
+      walls = Walls<dim>(wall_step->end());
     time += time_step;
     ++counters.steps;
     TimerOutput::Scope scope(timer, "Output");
@@ -229,11 +236,12 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::move_particles(const double time_step)
+  void Simulator<dim>::move_particles(const double time_step, const WallStep<dim> &wall_step)
   {
     TimerOutput::Scope scope(timer, "Update");
     const std::vector<Point<dim>> old_position = particles.position;
     problem.accept(particles, solids);
+    wall_step.carry_particles(old_position, particles);
     take_mean_forces();
     if (input.geometry.has_fluid())
     {
@@ -248,10 +256,10 @@ namespace Lahar
       in_mesh[particle] = true;
     solids.move_particles(in_mesh, particles);
     move_isolated_particles(fluid_mesh, input.gravity, time_step, particles);
-    stop_at_walls(old_position, walls, particles);
+    stop_at_walls(old_position, wall_step, particles);
     counters.kept_out += count_on_ranks(
       SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
-    SlipCondition<dim>(walls).update(old_position, particles);
+    SlipCondition<dim>(wall_step).update(old_position, particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
@@ -311,9 +319,9 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<NodeConstraint<dim>> Simulator<dim>::constraints() const
+  std::vector<NodeConstraint<dim>> Simulator<dim>::constraints(const WallStep<dim> &wall_step) const
   {
-    const SlipCondition<dim> slip_condition(walls);
+    const SlipCondition<dim> slip_condition(wall_step);
     std::vector<NodeConstraint<dim>> result;
     result.reserve(fluid_mesh.n_vertices());
     for (const unsigned int particle : fluid_mesh.particles())

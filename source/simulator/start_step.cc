@@ -35,6 +35,8 @@ namespace Lahar
       spacing += start.cloud.spacing[mesh->particle(v)];
     mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
                    std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
+    friction.start_step(start.sliding, *region_mesh, start.cloud, start.law, start.time_integration.length(),
+                        system.partition());
     held_vertices.start_step(can_be_held);
     crushed_cells.start_step(mesh->n_cells());
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
@@ -48,6 +50,11 @@ namespace Lahar
     if (start.law.yield_stress() > 0.)
       assembler.start_plastic_dual(*mesh, start.law, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
+    for (unsigned int node = 0; node < constraints.size(); ++node)
+      if (const NodeConstraint<dim> &prescribed = constraints[node]; prescribed.moves)
+        for (unsigned int a = 0; a < prescribed.n_fixed; ++a)
+          velocities[node] += ((prescribed.velocity - velocities[node]) * prescribed.frame[a]) *
+                              prescribed.frame[a];
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
       velocities[node] = solid.mean_velocity(i); // the prescribed ones
     slow_down(velocities);
@@ -84,8 +91,11 @@ namespace Lahar
       system.partition().update(motion);
       for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
         if (motion[system.local_number(v)] < 1.)
-          velocities[system.local_number(v)] = motion[system.local_number(v)] *
-                                               expected[system.local_number(v)];
+        {
+          const unsigned int node       = system.local_number(v);
+          const Tensor<1, dim> &of_wall = constraints[node].velocity;
+          velocities[node]              = of_wall + motion[node] * (expected[node] - of_wall);
+        }
       fluid.move(by_vertex(velocities));
     }
   }

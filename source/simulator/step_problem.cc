@@ -110,6 +110,8 @@ namespace Lahar
       if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
+    if (!friction.empty())
+      friction.assemble(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), system);
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
@@ -218,8 +220,9 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::hold_blocked_vertices()
+  void StepProblem<dim>::end_iteration()
   {
+    friction.update(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure));
     crushed_cells.update(fluid.state.left_out);
     if (held_vertices.update(system.partition(), constraints))
       fix_pressures();
@@ -300,6 +303,8 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solid.gather(system.partition(), system.solid_residual()), solids);
+    friction.update(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure));
+    friction.accept(*region_mesh, cloud);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }

@@ -71,7 +71,8 @@ void test_2d()
   // A slip floor from x = 0 to 2, a slip wall at x = 0, a skew slip wall from (2, 0) to (3, 1).
   const Walls<2> walls(
     {{{{{0., 0.}, {2., 0.}}}, true}, {{{{0., 0.}, {0., 2.}}}, true}, {{{{3., 1.}, {4., 2.}}}, true}});
-  const SlipCondition<2> slip(walls);
+  const WallStep<2> standing(walls);
+  const SlipCondition<2> slip(standing);
   const double h = 0.1;
   ParticleCloud<2> cloud;
   const auto add           = [&](const Point<2> &p) { return cloud.append(p, ParticleKind::fluid, h); };
@@ -138,7 +139,8 @@ void test_3d()
     facets.push_back({{{a, far, c}}, true});
   }
   const Walls<3> walls(facets);
-  const SlipCondition<3> slip(walls);
+  const WallStep<3> standing(walls);
+  const SlipCondition<3> slip(standing);
   ParticleCloud<3> cloud;
   for (const Point<3> &p :
        {Point<3>(0.3, 0.4, 0.), Point<3>(0.3, 0., 0.), Point<3>(0., 0., 0.), Point<3>(0.5, 0.5, 0.)})
@@ -183,7 +185,7 @@ void test_free_flight()
   {
     const std::vector<Point<2>> old_position = cloud.position;
     move_isolated_particles(mesh, Point<2>(0., -10.), 0.01, cloud);
-    stop_at_walls(old_position, walls, cloud);
+    stop_at_walls(old_position, WallStep<2>(walls), cloud);
   }
   check("free flight: parabola", (cloud.position[0] - Point<2>(1.1, 1. + 0.2 - 0.05)).norm(), 1e-14);
   check("free flight: velocity", (cloud.velocity[0] - Point<2>(1., 1.)).norm(), 1e-14);
@@ -197,7 +199,8 @@ void test_free_flight()
 void test_ranks()
 {
   const Walls<2> walls({{{{{0., 0.}, {4., 0.}}}, true}, {{{{4., 0.}, {4., 2.}}}, true}});
-  const SlipCondition<2> slip(walls);
+  const WallStep<2> standing(walls);
+  const SlipCondition<2> slip(standing);
   constexpr double h = 0.1;
   ParticleCloud<2> whole;
   for (unsigned int j = 0; j < 5; ++j)

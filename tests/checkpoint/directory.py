@@ -23,7 +23,7 @@ import time
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, check, failed, fluid, mesh, new_case, parts, walls  # noqa: E402
+from program_test import ALONE, check, failed, fluid, mesh, new_case, parts, walls  # noqa: E402
 
 LAHAR, MESH = os.path.abspath(sys.argv[2]), os.path.abspath(sys.argv[3])
 
@@ -46,7 +46,7 @@ ENDLESS = ["--set", "End time=1000", "--set", "Output interval=1000"]
 
 
 def start(directory, *arguments):
-    return subprocess.Popen([LAHAR, *arguments, "case.prm"], cwd=directory, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    return subprocess.Popen([LAHAR, *arguments, "case.prm"], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 

@@ -29,7 +29,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import barrier, check, failed, fluid, new_case, section, walls  # noqa: E402
+from program_test import ALONE, barrier, check, failed, fluid, new_case, section, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[2])
 
@@ -73,8 +73,7 @@ set Output interval  = 0.02
 """ + fluid("0, 0, 0 : 0.1, 0.1, 0.15") + walls("-0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0")
 
 def start(directory, *arguments, **options):
-    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
-    return subprocess.Popen([LAHAR, *arguments, "case.prm"], cwd=directory, env=environment, stdin=subprocess.DEVNULL,
+    return subprocess.Popen([LAHAR, *arguments, "case.prm"], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
 
 

@@ -15,7 +15,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, check, failed, fluid, mesh, new_case, parts, shape, wall, walls  # noqa: E402
+from program_test import ALONE, check, failed, fluid, mesh, new_case, parts, shape, wall, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[1])
 
@@ -73,7 +73,7 @@ def disc(radius, n_rings, n_outer):
 
 
 def run(directory, *arguments):
-    return subprocess.run([LAHAR, "case.prm", *arguments], cwd=directory, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    return subprocess.run([LAHAR, "case.prm", *arguments], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600, text=True)
 
 

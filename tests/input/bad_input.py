@@ -3,13 +3,13 @@
 """Test that the program `lahar` refuses wrong input: it ends with status 2; the message names the parameter by its path,
 the value found and what is allowed; it shows no C++ or deal.II frame, and nothing is left behind.
 
-Usage: bad_input.py refused LAHAR MESH_FILE MESH_FILE_IN_SPACE
+Usage: bad_input.py refused LAHAR MESH_FILE MESH_FILE_IN_SPACE SERVER
 """
 import os
 import sys
 
 from attempts import FLUID, GOOD, MESH, MESH_IN_SPACE, TOP, WALLS, in_spike, refused, set_entry, write_spike, wrong
-from program_test import failed, fluid, parts, section, shape, wall, walls
+from program_test import failed, fluid, parts, section, shape, walls
 
 
 def test_refused():
@@ -127,7 +127,8 @@ def test_refused():
             *set_entry(points, "0, 0.4 : 0, 0 : 1e30, 0"))
     refused("more particles than set", ["'Mesh size'", "fluid 'fluid'", "which is 10,"],
             *set_entry("Largest number of particles", "10"))
-    wrong("Largest number of particles", "1e9")
+    refused("Largest number of particles = 1e9", ["'Largest number of particles'", "1e9", "llowed"],
+            *set_entry("Largest number of particles", "1e9"))
     refused("too many particles in space", ["'Mesh size'", "fluid 'fluid'", "Largest number of particles"],
             *set_entry("Mesh size", "1e-3"), text=in_space)
     refused("a polyhedron of too many corners", ["'Fluids/fluid/convex/Corners'", "at most 100"],
@@ -201,8 +202,8 @@ def test_refused():
     refused("unknown format", ["xml", "prm, json, latex"], "--print-parameters", "xml")
 
     # A path below a regular file cannot be created, whoever asks.
-    wrong("Output directory", "case.prm/out")
-    wrong("Output directory", "")
+    for value in ("case.prm/out", ""):
+        refused("Output directory = " + value, ["'Output directory'", value, "llowed"], *set_entry("Output directory", value))
 
 
 test_refused()

@@ -196,9 +196,8 @@ def new_mutator(cases):
 
 def main():
     arguments = parse_arguments()
-    session = tempfile.TemporaryDirectory()  # lasts until the end
-    program = Program(arguments, session.name)
-    reader = Server(arguments, session.name) if arguments.server else program
+    program = Program(arguments)
+    reader = Server(arguments) if arguments.server else program
     cases = find_cases()
     mutator = new_mutator(cases)
 

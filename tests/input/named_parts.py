@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test what the program `lahar` says of the names of a case's parts, and of entries that stand elsewhere now.
 
-Usage: named_parts.py parts|old_entries LAHAR MESH_FILE MESH_FILE_IN_SPACE
+Usage: named_parts.py parts|old_entries LAHAR MESH_FILE MESH_FILE_IN_SPACE SERVER
 """
 import os
 import sys
 import tempfile
 
 from attempts import COLUMN, GOOD, GROUP, TOP, refused, run, set_entry
-from program_test import check, failed, fluid, parts, section, shape, wall, walls
+from program_test import check, failed, parts, section, shape, wall
 
 
 def test_names():

@@ -7,6 +7,11 @@ stderr.
 import os
 import resource
 import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from program_test import ALONE  # noqa: E402
 
 
 def command_line(program, arguments):
@@ -15,18 +20,11 @@ def command_line(program, arguments):
             "--set", "Solids/Largest number of nodes=%d" % largest]
 
 
-def environment(session):
-    """Open MPI without daemon and without drivers for networks, which take a minute now and then; with a directory of
-    its own, since another program's MPI may remove the common one at the wrong moment."""
-    return dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1", OMPI_MCA_ess_singleton_isolated="1",
-                OMPI_MCA_pml="ob1", OMPI_MCA_btl="self", OMPI_MCA_orte_tmpdir_base=session)
-
-
 class Program:
     """Starts anew for each directory."""
 
-    def __init__(self, arguments, session):
-        self.command, self.environment = command_line(arguments.lahar, arguments), environment(session)
+    def __init__(self, arguments):
+        self.command, self.environment = command_line(arguments.lahar, arguments), ALONE
         self.seconds, self.bytes = arguments.seconds, int(arguments.memory * 2**30)
 
     def limit_memory(self):
@@ -51,12 +49,12 @@ class Program:
 class Server:
     """Starts once; each process that it forks reads some directories."""
 
-    def __init__(self, arguments, session):
+    def __init__(self, arguments):
         self.limits = "%g %d" % (arguments.seconds, int(arguments.memory * 2**30))
         program, *options = command_line(arguments.server, arguments)
         # Symbols are looked up before the fork, not by each child.
         self.process = subprocess.Popen([program, str(arguments.batch), *options], stdin=subprocess.PIPE, text=True,
-                                        stdout=subprocess.PIPE, env=dict(environment(session), LD_BIND_NOW="1"))
+                                        stdout=subprocess.PIPE, env=dict(ALONE, LD_BIND_NOW="1"))
         self.answer("ready")
 
     def answer(self, *allowed):

@@ -5,7 +5,7 @@
 printed:  --help, --version, --print-parameters, --check end with status 0.
 computed: a small run leaves complete, readable files; so does one that fails, with status 1.
 
-Usage: small_runs.py printed|computed LAHAR MESH_FILE MESH_FILE_IN_SPACE
+Usage: small_runs.py printed|computed LAHAR MESH_FILE MESH_FILE_IN_SPACE SERVER
 """
 import glob
 import json
@@ -16,7 +16,7 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 
 from attempts import FLUID, FRAMES, GOOD, GROUP, TOP, WALLS, in_spike, run, set_entry, write_spike
-from program_test import check, failed, fluid, parts, shape, wall, walls
+from program_test import check, failed, fluid, parts, shape
 
 
 COLUMNS = ["Time step number", "Time (s)", "Time step size (s)", "Nonlinear iterations", "Velocity increment",

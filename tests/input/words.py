@@ -18,7 +18,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from program_test import ENVIRONMENT, barrier, check, failed, fluid, mesh, parts, section, wall, walls  # noqa: E402
+from program_test import ALONE, barrier, check, failed, fluid, mesh, parts, section, wall, walls  # noqa: E402
 
 LAHAR, GEOMETRY = [os.path.abspath(path) for path in sys.argv[1:3]]
 
@@ -59,7 +59,7 @@ def run(files, *arguments, folder=".", options=("--check",)):
             with open(path, "wb") as file:
                 file.write(data if isinstance(data, bytes) else data.encode())
         os.makedirs(os.path.join(directory, folder), exist_ok=True)
-        result = subprocess.run([LAHAR, *options, *arguments], cwd=os.path.join(directory, folder), env=ENVIRONMENT,
+        result = subprocess.run([LAHAR, *options, *arguments], cwd=os.path.join(directory, folder), env=ALONE,
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
                                 text=True)
         parameters = os.path.join(directory, folder, "out", "parameters.prm")
@@ -67,7 +67,7 @@ def run(files, *arguments, folder=".", options=("--check",)):
             with open(parameters) as file:
                 result.parameters = file.read()
             result.again = subprocess.run([LAHAR, "--check", "out/parameters.prm"], cwd=os.path.join(directory, folder),
-                                          env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                                          env=ALONE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         return result
 
 

@@ -30,7 +30,7 @@ sys.path.insert(0, os.path.join(ROOT, "chaos"))
 
 from attempt import Attempt, send  # noqa: E402
 from cases import Statistics  # noqa: E402
-from program_test import ENVIRONMENT, check, failed, fluid, new_case, on_ranks, section, walls  # noqa: E402
+from program_test import ALONE, check, failed, fluid, new_case, on_ranks, section, walls  # noqa: E402
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
 PATIENCE = 300.  # s, on a busy machine
@@ -121,7 +121,7 @@ def signals(parent):
           Statistics(whole).difference(Statistics(stopped)))
 
     hung_up = new_case(parent, "hung_up", CASE)
-    process = subprocess.Popen([LAHAR, "case.prm"], cwd=hung_up, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True,
+    process = subprocess.Popen([LAHAR, "case.prm"], cwd=hung_up, env=ALONE, stdout=subprocess.PIPE, text=True,
                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
     while process.poll() is None and n_rows(hung_up) < 2:
         time.sleep(0.02)
@@ -135,12 +135,12 @@ def output(parent):
     for what in (["--help"], ["--version"], ["--print-parameters", "prm"], ["--print-parameters", "json"],
                  ["--print-parameters", "latex"], ["--check", "case.prm"]):
         with open("/dev/full", "w") as full:
-            result = subprocess.run([LAHAR, *what], cwd=case, env=ENVIRONMENT, stdout=full, stderr=subprocess.PIPE,
+            result = subprocess.run([LAHAR, *what], cwd=case, env=ALONE, stdout=full, stderr=subprocess.PIPE,
                                     text=True, timeout=PATIENCE)
         check("%s to a full device: status 1" % what[0], result.returncode == 1, result.returncode)
         check("... one line says why", result.stderr == "lahar: the run failed. Cannot write to the standard output: "
               "No space left on device.\n", result.stderr)
-    process = subprocess.Popen([LAHAR, "--print-parameters", "prm"], env=ENVIRONMENT, stdout=subprocess.PIPE,
+    process = subprocess.Popen([LAHAR, "--print-parameters", "prm"], env=ALONE, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
     process.stdout.close()
     error = process.stderr.read()
@@ -150,7 +150,7 @@ def output(parent):
     for name, options in (("gone", {"stdout": subprocess.PIPE}), ("closed", {"preexec_fn": lambda: os.closerange(0, 3)}),
                           ("full", {"stdout": open("/dev/full", "w")})):
         directory = new_case(parent, name, CASE)
-        process = subprocess.Popen([LAHAR, "case.prm"], cwd=directory, env=ENVIRONMENT, **options)
+        process = subprocess.Popen([LAHAR, "case.prm"], cwd=directory, env=ALONE, **options)
         if name == "gone":
             process.stdout.readline()
             process.stdout.close()
@@ -186,7 +186,7 @@ def input_(parent):
         result = run(case, "--check", "/dev/stdin", n_ranks=n_ranks, input=CASE)
         check("/dev/stdin on %d ranks" % n_ranks, result.returncode == 0 and
               expected.split("\n")[:4] == result.stdout.split("\n")[:4], result.stdout, result.stderr)
-    result = subprocess.run(["bash", "-c", '"$0" --check <(cat case.prm)', LAHAR], cwd=case, env=ENVIRONMENT,
+    result = subprocess.run(["bash", "-c", '"$0" --check <(cat case.prm)', LAHAR], cwd=case, env=ALONE,
                             capture_output=True, text=True, timeout=PATIENCE)
     check("<(cat case.prm)", (result.returncode, result.stdout) == (0, expected), result.stdout, result.stderr)
 
@@ -208,7 +208,7 @@ def input_(parent):
             ("a pipe as a mesh", " ".join(['"$0" case.prm'] + ["'%s'" % word for word in mesh] +
                                           ["--set 'Fluids/fluid/mesh/File=%s'" % fifo]), "is a pipe")):
         begin = time.monotonic()
-        result = subprocess.run(["bash", "-c", command, LAHAR], cwd=case, env=ENVIRONMENT, capture_output=True, text=True,
+        result = subprocess.run(["bash", "-c", command, LAHAR], cwd=case, env=ALONE, capture_output=True, text=True,
                                 timeout=PATIENCE)
         check("%s: status 2" % what, result.returncode == 2, result.returncode, result.stderr)
         check("... the message (after %.1f s)" % (time.monotonic() - begin), words in result.stderr and

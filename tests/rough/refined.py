@@ -14,9 +14,11 @@ import tempfile
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "contrib" / "plot"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "contrib" / "plot"), str(ROOT / "tests")]
 
 from lahar_output import column, read_pvd, read_statistics, read_vtu  # noqa: E402
+from program_test import ALONE  # noqa: E402
 
 lahar, case = [os.path.abspath(path) for path in sys.argv[1:3]]
 MESH_SIZE, FINE, BOX = 0.0146, 0.0073, (0.1, 0., 0.25, 0.1)
@@ -24,8 +26,7 @@ GROWTH = 0.2  # of the mesh size over the distance from the box
 
 
 def run(parent, name, *arguments):
-    environment = dict(os.environ, OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
-    process = subprocess.run([lahar, "--set", "Output directory=" + name, *arguments, case], cwd=parent, env=environment,
+    process = subprocess.run([lahar, "--set", "Output directory=" + name, *arguments, case], cwd=parent, env=ALONE,
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if process.returncode != 0 or process.stderr:
         sys.exit("%s: status %s: %s" % (name, process.returncode, process.stderr))

@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path.insert(0, os.path.join(ROOT, "tests"))
 
-from program_test import ENVIRONMENT, check, failed, fluid, mesh, parts, section, shape, wall, walls  # noqa: E402
+from program_test import ALONE, check, failed, fluid, mesh, parts, section, shape, wall, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[1])
 MESHES = os.path.join(ROOT, "tests", "geometry")
@@ -77,7 +77,7 @@ CASES = [
 
 def convert(text, *options):
     return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "contrib", "utilities", "convert-case"), *options, "-"],
-                          input=text, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+                          input=text, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ALONE)
 
 
 def run(directory, text, name="case.prm", **files):
@@ -85,7 +85,7 @@ def run(directory, text, name="case.prm", **files):
     for file, data in dict({name: text}, **files).items():
         with open(os.path.join(directory, file), "w") as out:
             out.write(data)
-    return subprocess.run([LAHAR, "--check", name], cwd=directory, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    return subprocess.run([LAHAR, "--check", name], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=300)
 
 

@@ -17,7 +17,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, ".."))
-from program_test import ENVIRONMENT, check, failed, fluid, walls
+from program_test import ALONE, ENVIRONMENT, check, failed, fluid, walls
 
 CONTRIB = os.path.abspath(os.path.join(HERE, "..", "..", "contrib"))
 SKIPPED = 77
@@ -109,7 +109,7 @@ def test_plots(lahar, directory):
         os.mkdir(folder)
         with open(os.path.join(folder, "case.prm"), "w") as file:
             file.write(BOX % (dimension, gravity) + fluid(corners) + walls(points))
-        process = subprocess.run([lahar, "case.prm"], cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+        process = subprocess.run([lahar, "case.prm"], cwd=folder, env=ALONE, stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         check(f"there is a run in {name}", process.returncode == 0, process.stderr)
         return os.path.join(name, "out")

@@ -16,7 +16,7 @@ TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path[:0] = [TESTS, os.path.join(os.path.dirname(TESTS), "contrib", "plot")]
 
 from lahar_output import read_statistics  # noqa: E402
-from program_test import ENVIRONMENT, check, failed, fluid, new_case, parts, shape, wall, walls  # noqa: E402
+from program_test import ALONE, check, failed, fluid, new_case, parts, shape, wall, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[1])
 
@@ -74,7 +74,7 @@ end
 
 def run(parent, name, text):
     directory = new_case(parent, name, text)
-    result = subprocess.run([LAHAR, "case.prm"], cwd=directory, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    result = subprocess.run([LAHAR, "case.prm"], cwd=directory, env=ALONE, stdin=subprocess.DEVNULL,
                             capture_output=True, text=True, timeout=900)
     return directory, result
 

@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_free_flight_h
 #define lahar_boundary_free_flight_h
 
-#include <lahar/geometry/walls.h>
+#include <lahar/boundary/wall_step.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 
@@ -15,11 +15,11 @@ namespace Lahar
                                const double time_step, ParticleCloud<dim> &cloud);
 
   /**
-   * Stop fluid particles whose way from @p old_position (by particle) leads through a no-slip wall: they come to rest a
-   * tenth of their spacing in front of it. At slip walls SlipCondition takes over.
+   * Stop fluid particles whose way from @p old_position (by particle) leads through a no-slip wall: they stay a tenth of
+   * their spacing in front of it and take its velocity. At slip walls SlipCondition takes over.
    */
   template <int dim>
-  void stop_at_walls(const std::vector<Point<dim>> &old_position, const Walls<dim> &walls,
+  void stop_at_walls(const std::vector<Point<dim>> &old_position, const WallStep<dim> &step,
                      ParticleCloud<dim> &cloud);
 } // namespace Lahar
 

@@ -27,6 +27,7 @@ namespace Lahar
     std::vector<std::array<Point<dim>, dim>> mesh_facets; ///< in space, instead of corners
     bool slip             = false;                        ///< see WallFacet
     unsigned int boundary = 0;                            ///< see WallFacet
+    bool moves            = false;                        ///< see WallFacet
 
     std::vector<WallFacet<dim>> facets() const;
 

@@ -23,6 +23,7 @@ namespace Lahar
     std::array<Point<dim>, dim> corners;
     bool slip             = false; ///< free slip (no normal velocity) instead of no slip
     unsigned int boundary = 0;     ///< the number of the case's boundary that it belongs to
+    bool moves            = false; ///< whether that boundary moves in the run
   };
 
   /**

@@ -3,6 +3,7 @@
 #ifndef lahar_initial_boundary_h
 #define lahar_initial_boundary_h
 
+#include <lahar/boundary/boundary_motion.h>
 #include <lahar/boundary/surface_law.h>
 #include <lahar/geometry/boundary_shape.h>
 
@@ -13,7 +14,7 @@
 namespace Lahar
 {
   /**
-   * A named boundary of a case: where it is and how fluid moves along it.
+   * A named boundary of a case: where it is, how it moves and how fluid moves along it.
    */
   template <int dim>
   class Boundary
@@ -24,15 +25,19 @@ namespace Lahar
     /// Read the handler's current section, of the boundary's name. @throws InputError
     void parse_parameters(Parameters &prm, const std::string &name);
 
+    /// @throws InputError if it is not where its shape is drawn at the run's @p start_time (s).
+    void check_start(const double start_time) const;
+
     /// Its walls as facets with the boundary's @p number, with names as "'bed'" or "group 'left' of 'bed'" for messages.
     std::vector<WallShape<dim>> walls(const unsigned int number) const;
 
     /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it.
     std::vector<std::string> warnings(const double h) const;
 
-    std::string name;
+    std::string name, path; ///< path of its entries
     std::unique_ptr<BoundaryShape<dim>> shape;
     std::unique_ptr<SurfaceLaw> law;
+    std::unique_ptr<BoundaryMotion<dim>> motion;
   };
 } // namespace Lahar
 

@@ -4,6 +4,7 @@
 #define lahar_initial_initial_geometry_h
 
 #include <lahar/boundary/solid_contour.h>
+#include <lahar/boundary/wall_step.h>
 #include <lahar/geometry/initial_region.h>
 #include <lahar/geometry/narrow_gap.h>
 #include <lahar/initial/boundary.h>
@@ -65,6 +66,17 @@ namespace Lahar
     {
       return boundaries;
     }
+
+    /// The laws of the boundaries' surfaces, in their order.
+    std::vector<const SurfaceLaw *> surface_laws() const;
+
+    bool any_boundary_moves() const;
+
+    /// The walls that create() makes, as they are at @p time (s). @throws RunError if a motion is not finite then.
+    Walls<dim> walls_at(const double time) const;
+
+    /// The walls in a step that begins at @p time with @p walls, which must outlive the result. @throws RunError as above.
+    WallStep<dim> wall_step(const Walls<dim> &walls, const double time, const double time_step) const;
 
     /// How messages call the wall that facet @p facet of create()'s walls belongs to.
     std::string wall_name(unsigned int facet) const;

@@ -123,6 +123,13 @@ namespace Lahar
     /// Add a force of a node, to residual and solid_residual(). All ranks call it for all nodes that have such.
     void add_solid(const unsigned int node, const Tensor<1, dim> &residual);
 
+    /**
+     * Add a force on a node of the fluid, by local number, that is no cell's: @p residual, its derivatives with respect to
+     * the node's velocity and its derivative with respect to the node's pressure. It is no part of momentum_residual().
+     */
+    void add_at_node(const unsigned int local_node, const Tensor<1, dim> &residual,
+                     const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure);
+
     /// All nodes.
     unsigned int n_nodes() const
     {

@@ -15,7 +15,7 @@ namespace Lahar
   /**
    * Which velocity components of a node are prescribed: the first #n_fixed ones in the orthonormal basis whose vectors
    * are the rows of #frame. A free node has none, a no-slip node all, a node on a slip wall one for each wall normal.
-   * The pressure may be prescribed, too.
+   * They are those of #velocity. The pressure may be prescribed, too, as it is.
    */
   template <int dim>
   struct NodeConstraint
@@ -23,6 +23,8 @@ namespace Lahar
     unsigned int n_fixed = 0;
     Tensor<2, dim> frame = unit_symmetric_tensor<dim>();
     bool fixed_pressure  = false;
+    bool moves           = false; ///< whether a moving boundary prescribes them
+    Tensor<1, dim> velocity; ///< of the boundary, mean of the step, m/s; zero in the directions that are free
   };
 
   /// Unknown (I, component) of a fluid cell has the index I (dim+1) + component; component dim is the pressure.

@@ -51,6 +51,8 @@ namespace Lahar
     std::vector<double> pressure_rate; ///< Pa/s
     std::vector<double> owed_volume;   ///< m^dim; what the fluid has too much around it, see VolumeCorrection
     std::vector<Tensor<1, dim>> reaction; ///< mean force of wall or solid on the fluid in the last step, N
+    std::vector<Tensor<1, dim>>
+      friction; ///< where it slides: the multiplier of the friction, see SlidingContact
     std::vector<ParticleKind> kind;
     std::vector<unsigned int>
       part; ///< the number of the fluid, boundary or solid that the particle belongs to, by its kind
@@ -86,7 +88,7 @@ namespace Lahar
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
-     * pressure, its rate and spacing are their means; it slides on the slip facets that both share and belongs to the
+     * pressure, its rate, friction and spacing are their means; it slides on the slip facets that both share and belongs to the
      * owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
@@ -99,7 +101,7 @@ namespace Lahar
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
     /// A particle as numbers, to send it.
-    using Record = std::array<double, 6 * dim + 8>;
+    using Record = std::array<double, 7 * dim + 8>;
 
     Record record(const unsigned int particle) const;
 
@@ -123,7 +125,7 @@ namespace Lahar
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
-        &owed_volume &reaction &kind &part &spacing &slip_facets &number &owner &next_number;
+        &owed_volume &reaction &friction &kind &part &spacing &slip_facets &number &owner &next_number;
     }
   };
 } // namespace Lahar

@@ -17,8 +17,8 @@ namespace Lahar
 {
   /**
    * Writes solution-NNNNN.vtu files and solution.pvd, which lists them with their times, for ParaView. Solids have
-   * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part, and rigid walls, which
-   * stay, one file walls.vtu, the third part.
+   * files of their own, solid-NNNNN.vtu (SolidOutput), which solution.pvd lists as a second part. Rigid walls are the
+   * third part: one file walls.vtu if they stay, walls-NNNNN.vtu otherwise.
    *
    * The fields of the fluid are models, see OutputField. On several ranks each writes a piece of the fluid,
    * solution-NNNNN.R.vtu, and solution-NNNNN.pvtu lists them. Files are written under a temporary name first, so that each
@@ -35,7 +35,7 @@ namespace Lahar
     /// RunError if a file cannot be written.
     std::string write(const Snapshot<dim> &snapshot, const typename OutputField<dim>::List &fields);
 
-    /// Write walls.vtu, if there are walls, which are the same on all ranks. @throws RunError as above
+    /// Write walls.vtu, if there are walls, which are the same on all ranks, and none moves. @throws RunError as above
     void write_walls(const Walls<dim> &walls);
 
     /// What was written so far.

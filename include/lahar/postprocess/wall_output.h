@@ -15,6 +15,10 @@ namespace Lahar
    */
   template <int dim>
   void write_walls_vtu(const Walls<dim> &walls, std::ostream &file);
+
+  /// Whether some of the walls move in the run.
+  template <int dim>
+  bool any_moves(const Walls<dim> &walls);
 } // namespace Lahar
 
 #endif

@@ -15,11 +15,11 @@ namespace Lahar
   {
     unsigned int iterations        = 0;
     unsigned int linear_iterations = 0;
-    unsigned int n_held            = 0; ///< vertices that were held, see StepProblem::hold_blocked_vertices()
-    double velocity_increment      = 0.;               ///< ‖δv‖/‖v‖ of the last iteration
-    double pressure_increment      = 0.;               ///< ‖δp‖/‖p‖ of the last iteration
-    double momentum_residual       = 0.;               ///< norm of the last assembled residual, N
-    double mass_residual           = 0.;               ///< norm of the last assembled residual, m^dim/s
+    unsigned int n_held            = 0;  ///< vertices that were held, see StepProblem::end_iteration()
+    double velocity_increment      = 0.; ///< ‖δv‖/‖v‖ of the last iteration
+    double pressure_increment      = 0.; ///< ‖δp‖/‖p‖ of the last iteration
+    double momentum_residual       = 0.; ///< norm of the last assembled residual, N
+    double mass_residual           = 0.; ///< norm of the last assembled residual, m^dim/s
     std::vector<std::pair<double, double>> increments; ///< of velocity and pressure, by iteration
   };
 

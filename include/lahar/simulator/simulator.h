@@ -108,14 +108,16 @@ namespace Lahar
     double fastest_movement() const;
     /// @throws RunError if a particle moves too far in the solved step.
     void check_movements() const;
-    void move_particles(const double time_step);
+    /// @param wall_step the walls in the step that was solved.
+    void move_particles(const double time_step, const WallStep<dim> &wall_step);
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
     void take_mean_forces();
     /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
     void stop_at_collision(const std::vector<Point<dim>> &old_position);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
-    std::vector<NodeConstraint<dim>> constraints() const;
+    /// What walls prescribe in a step, by vertex.
+    std::vector<NodeConstraint<dim>> constraints(const WallStep<dim> &wall_step) const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.
     void create_first_mesh();
     /// Say where the first mesh does not show the shapes that were asked for.

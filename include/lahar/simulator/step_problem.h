@@ -14,6 +14,7 @@
 #include <lahar/simulator/crushed_cells.h>
 #include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/held_vertices.h>
+#include <lahar/simulator/sliding_friction.h>
 #include <lahar/simulator/solid_step.h>
 #include <lahar/simulator/time_integration.h>
 
@@ -56,6 +57,8 @@ namespace Lahar
       std::vector<NodeConstraint<dim>> constraints;
       /// By vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
       const std::vector<bool> &arrives;
+      /// Where fluid slides along boundaries that resist.
+      std::vector<SlidingContact<dim>> sliding;
     };
 
     /// Begin a step: velocities and pressures start from the old ones, prescribed velocities have their values at the end.
@@ -78,9 +81,9 @@ namespace Lahar
      */
     void take_step(const double length);
 
-    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices, and cells that a solid
-    /// crushes are left out, see CrushedCells.
-    void hold_blocked_vertices();
+    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices, cells that a solid
+    /// crushes are left out, see CrushedCells, and friction is what the velocities ask for, see SlidingFriction.
+    void end_iteration();
 
     /// Whether increments were halved in the last step.
     bool was_damped() const
@@ -204,6 +207,7 @@ namespace Lahar
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
     ClosedParts<dim> closed_parts;
+    SlidingFriction<dim> friction;
     std::vector<Point<dim>> start_position; ///< by local number
     std::vector<bool> is_solid;             ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/boundary/sliding_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// A face belongs to a facet if the cosine of the angle between their normals exceeds this.
+    constexpr double least_cosine = 0.7;
+
+    /// What sticks to another wall belongs to a face if it is nearer to its facet than this times its spacing.
+    constexpr double contact_distance = 0.1;
+
+    /// Area times normal of a face, from its corners.
+    Tensor<1, 2> area_vector(const std::vector<Point<2>> &corners)
+    {
+      return cross_product_2d(corners[1] - corners[0]);
+    }
+
+    Tensor<1, 3> area_vector(const std::vector<Point<3>> &corners)
+    {
+      return 0.5 * cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SlidingForce<dim> SlidingContact<dim>::force(const Tensor<1, dim> &velocity, const double pressure,
+                                               const Tensor<1, dim> &multiplier) const
+  {
+    const SymmetricTensor<2, dim> tangential = unit_symmetric_tensor<dim>() -
+                                               symmetrize(outer_product(normal, normal));
+    const Tensor<1, dim> s                = tangential * (velocity - wall_velocity);
+    const SurfaceLaw::Resistance resisted = law->resistance(std::max(-pressure, 0.));
+    SlidingForce<dim> result;
+    result.value       = resisted.viscous * s;
+    result.by_velocity = resisted.viscous * Tensor<2, dim>(tangential);
+    const double tau   = resisted.threshold;
+    if (tau > 0.)
+    {
+      const Tensor<1, dim> lambda = tangential * multiplier;
+      const Tensor<1, dim> Y      = tau * lambda + stiffness * s;
+      const double chi            = Y.norm();
+      Tensor<1, dim> by_threshold = lambda;
+      if (chi <= tau)
+      {
+        result.multiplier = Y / tau;
+        result.by_velocity += stiffness * Tensor<2, dim>(tangential);
+      }
+      else
+      {
+        const Tensor<1, dim> direction  = Y / chi;
+        const Tensor<2, dim> transverse = Tensor<2, dim>(tangential) - outer_product(direction, direction);
+        result.multiplier               = direction;
+        result.by_velocity += tau * stiffness / chi * transverse;
+        by_threshold = direction + tau / chi * (transverse * lambda);
+      }
+      result.value += tau * result.multiplier;
+      if (pressure < 0.)
+        result.by_pressure = -resisted.threshold_derivative * by_threshold;
+    }
+    result.value *= area;
+    result.by_velocity *= area;
+    result.by_pressure *= area;
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<SlidingContact<dim>>
+  SlidingContact<dim>::find(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                            const WallStep<dim> &step, const std::vector<const SurfaceLaw *> &laws)
+  {
+    std::vector<SlidingContact> result;
+    if (std::none_of(laws.begin(), laws.end(), [](const SurfaceLaw *law) { return law->resists(); }))
+      return result;
+    const Walls<dim> &walls = step.end();
+    // The facet of a boundary on which a particle slides and to which a face is parallel.
+    const auto facet_of = [&](const unsigned int particle, const unsigned int boundary,
+                              const Tensor<1, dim> &direction) {
+      for (const int facet : cloud.slip_facets[particle])
+        if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].boundary == boundary &&
+            std::abs(walls.normal(facet) * direction) > least_cosine)
+          return facet;
+      return ParticleCloud<dim>::no_facet;
+    };
+
+    std::map<std::pair<unsigned int, unsigned int>, SlidingContact> contacts; // by vertex and boundary
+    for (const BoundaryFace &face : mesh.boundary_faces())
+    {
+      std::vector<unsigned int> vertices;
+      std::vector<Point<dim>> corners;
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+        {
+          vertices.push_back(mesh.cells()[face.cell][c]);
+          corners.push_back(cloud.position[mesh.particle(vertices.back())]);
+        }
+      const Tensor<1, dim> area_normal = area_vector(corners);
+      const double area                = area_normal.norm();
+      if (!(area > 0.))
+        continue;
+      for (unsigned int boundary = 0; boundary < laws.size(); ++boundary)
+      {
+        if (!laws[boundary]->resists())
+          continue;
+        std::vector<int> facets;
+        int some_facet = ParticleCloud<dim>::no_facet;
+        for (const unsigned int v : vertices)
+        {
+          facets.push_back(cloud.kind[mesh.particle(v)] == ParticleKind::fluid
+                             ? facet_of(mesh.particle(v), boundary, area_normal / area)
+                             : ParticleCloud<dim>::no_facet);
+          if (facets.back() != ParticleCloud<dim>::no_facet)
+            some_facet = facets.back();
+        }
+        if (some_facet == ParticleCloud<dim>::no_facet)
+          continue;
+        bool all_touch = true;
+        for (unsigned int k = 0; k < dim; ++k)
+        {
+          const unsigned int i = mesh.particle(vertices[k]);
+          all_touch            = all_touch &&
+                      (facets[k] != ParticleCloud<dim>::no_facet ||
+                       (cloud.kind[i] != ParticleKind::fluid &&
+                        std::abs(walls.signed_distance(some_facet, step.carried(boundary, corners[k]))) <
+                          contact_distance * cloud.spacing[i]));
+        }
+        if (!all_touch)
+          continue;
+        for (unsigned int k = 0; k < dim; ++k)
+          if (facets[k] != ParticleCloud<dim>::no_facet)
+          {
+            const auto contact = contacts.try_emplace({vertices[k], boundary}).first;
+            if (contact->second.area == 0.)
+              contact->second = {
+                vertices[k], laws[boundary], 0., walls.normal(facets[k]), step.velocity(boundary, corners[k]),
+                0.};
+            contact->second.area += area / dim;
+          }
+      }
+    }
+    for (const auto &[key, contact] : contacts)
+      result.push_back(contact);
+    return result;
+  }
+
+
+
+  template struct SlidingContact<2>;
+  template struct SlidingContact<3>;
+} // namespace Lahar

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Boundaries that resist and boundaries that move: a stiff block slides and stops by each law of friction as a mass point
+does, a bore runs before a piston, a drum takes its fluid along; with a gate that is lifted over a floor with friction a
+resumed run goes on bit for bit, and ranks agree."""
+
+import math
+
+import numpy as np
+
+from verification import Check, at_time, read_run, run_check, volume_changes
+
+DENSITY, HEIGHT, WIDTH = 1000., 0.1, 0.2
+MASS = DENSITY * HEIGHT * WIDTH
+ALONG, ACROSS = 4.905, 8.4957  # gravity, m/s²
+# The zeros of the Bessel function J1, and J0 there.
+BESSEL = [(3.83170597, -0.40275940), (7.01558667, 0.30011575), (10.1734681, -0.24970488), (13.3236919, 0.21835941),
+          (16.4706301, -0.19646537), (19.6158585, 0.18006338), (22.7600844, -0.16718460), (25.9036721, 0.15672499)]
+
+
+def bessel_1(x):
+    """J1(x) by its integral."""
+    angle = (np.arange(2000) + 0.5) * math.pi / 2000.
+    return float(np.cos(angle - x * np.sin(angle)).mean())
+
+
+def check_friction(check):
+    """The block's velocity v obeys m dv/dt = m g_x − A (β v + τ_c)."""
+    def velocity(law, *settings):
+        statistics = read_run(check.run("boundaries/sliding_block.prm", f"Boundaries/floor/Law={law}", *settings))
+        # The momentum in the middle of the step.
+        time = statistics["Time (s)"] - 0.5 * statistics["Time step size (s)"]
+        force = statistics["floor force x (N)"]
+        return time, statistics["Momentum x (N s)"] / MASS, force, statistics["floor force y (N)"]
+
+    time, v, force, weight = velocity("Coulomb")
+    check.below("Coulomb: velocity, over the one at the start", np.abs(v - (1. + (ALONG - 0.3 * ACROSS) * time)).max(), 2e-3)
+    settled = slice(20, None)
+    check.near("Coulomb: mean normal force, over the weight", -weight[settled].mean() / (MASS * ACROSS), 1., 1e-3)
+    check.near("Coulomb: mean friction over mean normal force", -force[settled].mean() / weight[settled].mean(), 0.3, 1e-3)
+
+    # It stops after v0/(g cos (μ − tan)) and stays.
+    time, v, force, weight = velocity("Coulomb", "Boundaries/floor/Coulomb/Friction coefficient=0.9")
+    deceleration = 0.9 * ACROSS - ALONG
+    exact = np.maximum(1. - deceleration * time, 0.)
+    check.below("Coulomb: velocity until it stops, over the one at the start", np.abs(v - exact).max(), 5e-3)
+    check.below("Coulomb: velocity once it has stopped, over the one at the start", np.abs(v[exact == 0.][10:]).max(), 1e-4)
+    check.near("Coulomb: the floor holds it", force[-10:].mean() / (MASS * ALONG), 1., 1e-3)
+
+    time, v, *rest = velocity("Navier slip")
+    rate = 500. / (DENSITY * HEIGHT)
+    end = ALONG / rate
+    check.below("Navier slip: velocity", np.abs(v - (end + (1. - end) * np.exp(-rate * time))).max(), 5e-3)
+
+    time, v, *rest = velocity("yield slip")
+    end = (ALONG - 300. / (DENSITY * HEIGHT)) / rate
+    check.below("yield slip: velocity", np.abs(v - (end + (1. - end) * np.exp(-rate * time))).max(), 5e-3)
+    time, v, force, weight = velocity("yield slip", "Boundaries/floor/yield slip/Sliding yield stress=600", "End time=0.6")
+    end = (ALONG - 600. / (DENSITY * HEIGHT)) / rate
+    exact = np.maximum(end + (1. - end) * np.exp(-rate * time), 0.)
+    check.below("yield slip: velocity until it stops", np.abs(v - exact).max(), 5e-3)
+    check.below("yield slip: velocity once it has stopped", np.abs(v[exact == 0.][10:]).max(), 1e-4)
+
+
+def check_piston(check):
+    """Shallow water: c² = g h1 (h1 + h0)/(2 h0), U = c (1 − h0/h1)."""
+    statistics = read_run(check.run("boundaries/piston.prm"))
+    low, high = 0.1, 0.3
+    for _ in range(60):
+        h1 = 0.5 * (low + high)
+        c = math.sqrt(9.81 * h1 * (h1 + 0.1) / 0.2)
+        low, high = (h1, high) if c * (1. - 0.1 / h1) < 0.3 else (low, h1)
+    solver, remeshing = volume_changes(statistics)
+    check.below("piston: volume change by the solver", solver, 1e-7)
+    check.below("piston: volume change by remeshing", remeshing, 2e-3)
+    late = statistics["Time (s)"] > 0.5
+    check.near("piston: force", -statistics["piston force x (N)"][late].mean(), 0.5 * DENSITY * 9.81 * h1**2, 0.02)
+    momentum = statistics["Momentum x (N s)"]
+    rate = (momentum[-1] - momentum[len(momentum) // 2]) / (statistics["Time (s)"][-1] -
+                                                          statistics["Time (s)"][len(momentum) // 2])
+    check.near("piston: momentum in a second", rate, DENSITY * h1 * 0.3 * (c - 0.3), 0.03)
+
+
+def check_drum(check):
+    """v = ω r + 2 ω R Σ J1(j r/R)/(j J0(j)) exp(−ν j² t/R²), J1(j) = 0."""
+    statistics = read_run(check.run("boundaries/drum.prm"))
+    omega, radius, nu, r = 2., 0.1, 0.01, 0.05
+    for time in (0.02, 0.05, 0.1):
+        exact = omega * r + 2. * omega * radius * sum(
+            bessel_1(j * r / radius) / (j * j0) * math.exp(-nu * j**2 * time / radius**2) for j, j0 in BESSEL)
+        # The velocity is that of the middle of the step.
+        check.near(f"drum: velocity at half the radius at {time} s", at_time(statistics, "half velocity y (m/s)", time + 1e-3),
+                   exact, 0.02)
+    check.near("drum: at the end it turns as a body", statistics["half velocity y (m/s)"][-1], omega * r, 0.05)
+    check.below("drum: volume change by the solver", volume_changes(statistics)[0], 1e-7)
+
+
+def check_resume_and_ranks(check):
+    """Columns but times and counts that do not follow from the fluid's state."""
+    def columns(directory):
+        return {name: column for name, column in read_run(directory).items() if name != "Wall time (s)"}
+
+    whole = columns(check.run("boundaries/lifted_gate.prm"))
+    check.run("boundaries/lifted_gate.prm", "End time=0.05")
+    resumed = columns(check.run("boundaries/lifted_gate.prm", resume=True))
+    check.below("gate: columns that differ in the resumed run",
+                sum(not np.array_equal(whole[name], resumed[name]) for name in whole), 0)
+    check.below("gate: volume change by the solver", volume_changes(whole)[0], 1e-7)
+    check.below("gate: volume change by remeshing", volume_changes(whole)[1], 5e-3)
+
+
+def main():
+    check = Check(__doc__)
+    check_friction(check)
+    check_drum(check)
+    check_piston(check)
+    check_resume_and_ranks(check)
+    check.finish()
+
+
+run_check(main)
