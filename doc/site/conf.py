@@ -34,6 +34,7 @@ include_patterns = ["README.md", "CONTRIBUTING.md", "CODE_OF_CONDUCT.md", "doc/*
 exclude_patterns = ["build*", "output*", "tests", "contrib", "source", "include", "prm", ".*"]
 root_doc = "doc/index"
 nitpicky = True
+smartquotes = False  # d' is a deviator
 
 myst_enable_extensions = ["dollarmath"]
 myst_url_schemes = ["http", "https", "mailto", "repository"]
