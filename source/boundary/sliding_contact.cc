@@ -16,6 +16,12 @@ namespace Lahar
     /// What sticks to another wall belongs to a face if it is nearer to its facet than this times its spacing.
     constexpr double contact_distance = 0.1;
 
+    /// The normal stress beyond the pressure changes by this part in an iteration: friction changes it in turn.
+    constexpr double excess_part = 0.5;
+
+    /// What is nearer to one than this is one.
+    constexpr double rounding = 1e-10;
+
     /// Area times normal of a face, from its corners.
     Tensor<1, 2> area_vector(const std::vector<Point<2>> &corners)
     {
@@ -32,23 +38,24 @@ namespace Lahar
 
   template <int dim>
   SlidingForce<dim> SlidingContact<dim>::force(const Tensor<1, dim> &velocity, const double pressure,
-                                               const Tensor<1, dim> &multiplier) const
+                                               const SlidingState<dim> &state) const
   {
     const SymmetricTensor<2, dim> tangential = unit_symmetric_tensor<dim>() -
                                                symmetrize(outer_product(normal, normal));
     const Tensor<1, dim> s                = tangential * (velocity - wall_velocity);
-    const SurfaceLaw::Resistance resisted = law->resistance(std::max(-pressure, 0.));
+    const double normal_stress            = state.excess_stress - pressure;
+    const SurfaceLaw::Resistance resisted = law->resistance(std::max(normal_stress, 0.));
     SlidingForce<dim> result;
     result.value       = resisted.viscous * s;
     result.by_velocity = resisted.viscous * Tensor<2, dim>(tangential);
     const double tau   = resisted.threshold;
     if (tau > 0.)
     {
-      const Tensor<1, dim> lambda = tangential * multiplier;
+      const Tensor<1, dim> lambda = tangential * state.multiplier;
       const Tensor<1, dim> Y      = tau * lambda + stiffness * s;
       const double chi            = Y.norm();
       Tensor<1, dim> by_threshold = lambda;
-      if (chi <= tau)
+      if (chi <= tau || state.held)
       {
         result.multiplier = Y / tau;
         result.by_velocity += stiffness * Tensor<2, dim>(tangential);
@@ -62,13 +69,27 @@ namespace Lahar
         by_threshold = direction + tau / chi * (transverse * lambda);
       }
       result.value += tau * result.multiplier;
-      if (pressure < 0.)
+      if (normal_stress > 0.)
         result.by_pressure = -resisted.threshold_derivative * by_threshold;
     }
     result.value *= area;
     result.by_velocity *= area;
     result.by_pressure *= area;
     return result;
+  }
+
+
+
+  template <int dim>
+  void SlidingContact<dim>::iterate(const Tensor<1, dim> &velocity, const double pressure,
+                                    const Tensor<1, dim> &reaction, SlidingState<dim> &state) const
+  {
+    const Tensor<1, dim> P = force(velocity, pressure, state).multiplier;
+    const bool slides      = P.norm() >= 1. - rounding;
+    state.held             = slides && P * state.direction < 0.;
+    state.direction        = slides && !state.held ? P : Tensor<1, dim>();
+    state.excess_stress += excess_part *
+                           (std::max(reaction * normal / area, 0.) + pressure - state.excess_stress);
   }
 
 
@@ -103,6 +124,7 @@ namespace Lahar
           vertices.push_back(mesh.cells()[face.cell][c]);
           corners.push_back(cloud.position[mesh.particle(vertices.back())]);
         }
+      const Point<dim> inside = cloud.position[mesh.particle(mesh.cells()[face.cell][face.opposite])];
       const Tensor<1, dim> area_normal = area_vector(corners);
       const double area                = area_normal.norm();
       if (!(area > 0.))
@@ -140,9 +162,15 @@ namespace Lahar
           {
             const auto contact = contacts.try_emplace({vertices[k], boundary}).first;
             if (contact->second.area == 0.)
-              contact->second = {
-                vertices[k], laws[boundary], 0., walls.normal(facets[k]), step.velocity(boundary, corners[k]),
-                0.};
+            {
+              const Tensor<1, dim> &n = walls.normal(facets[k]);
+              contact->second         = {vertices[k],
+                                         laws[boundary],
+                                         0.,
+                                 n * (inside - corners[k]) > 0. ? n : -n,
+                                         step.velocity(boundary, corners[k]),
+                                         0.};
+            }
             contact->second.area += area / dim;
           }
       }

@@ -157,6 +157,7 @@ namespace Lahar
     }
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
+    report.is_settled         = problem.is_settled();
     if (is_converged(report))
       return;
     problem.end_iteration();

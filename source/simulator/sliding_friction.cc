@@ -2,12 +2,14 @@
 
 #include <lahar/simulator/sliding_friction.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   namespace
   {
-    constexpr double inertia_factor   = 100.;
-    constexpr double viscosity_factor = 30.;
+    constexpr double inertia_factor   = 20.;
+    constexpr double viscosity_factor = 5.;
   } // namespace
 
 
@@ -26,10 +28,15 @@ namespace Lahar
         continue;
       const unsigned int particle = mesh.particle(contact.vertex);
       const double h              = cloud.spacing[particle];
-      contacts.push_back({contact, node, cloud.friction[particle]});
+      SlidingState<dim> state;
+      state.multiplier    = cloud.friction[particle];
+      state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
+                            cloud.pressure[particle];
+      contacts.push_back({contact, node, state});
       contacts.back().at.stiffness = inertia_factor * law.density() * h / time_step +
                                      viscosity_factor * law.viscous_part(1. / time_step).value / h;
     }
+    is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, partition.communicator()) == 1U;
   }
 
 
@@ -41,7 +48,7 @@ namespace Lahar
     for (const Contact &contact : contacts)
     {
       const SlidingForce<dim> force = contact.at.force(velocities[contact.node], pressures[contact.node],
-                                                       contact.multiplier);
+                                                       contact.state);
       system.add_at_node(contact.node, force.value, force.by_velocity, force.by_pressure);
     }
   }
@@ -49,23 +56,36 @@ namespace Lahar
 
 
   template <int dim>
-  void SlidingFriction<dim>::update(const std::vector<Tensor<1, dim>> &velocities,
-                                    const std::vector<double> &pressures)
+  void SlidingFriction<dim>::iterate(const std::vector<Tensor<1, dim>> &velocities,
+                                     const std::vector<double> &pressures,
+                                     const std::vector<Tensor<1, dim>> &reactions)
   {
     for (Contact &contact : contacts)
-      contact.multiplier =
-        contact.at.force(velocities[contact.node], pressures[contact.node], contact.multiplier).multiplier;
+      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node],
+                         contact.state);
   }
 
 
 
   template <int dim>
-  void SlidingFriction<dim>::accept(const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const
+  bool SlidingFriction<dim>::is_settled() const
+  {
+    return std::none_of(contacts.begin(), contacts.end(),
+                        [](const Contact &contact) { return contact.state.held; });
+  }
+
+
+
+  template <int dim>
+  void SlidingFriction<dim>::accept(const std::vector<Tensor<1, dim>> &velocities,
+                                    const std::vector<double> &pressures, const FluidMesh<dim> &mesh,
+                                    ParticleCloud<dim> &cloud) const
   {
     for (Tensor<1, dim> &multiplier : cloud.friction)
       multiplier = Tensor<1, dim>();
     for (const Contact &contact : contacts)
-      cloud.friction[mesh.particle(contact.at.vertex)] = contact.multiplier;
+      cloud.friction[mesh.particle(contact.at.vertex)] =
+        contact.at.force(velocities[contact.node], pressures[contact.node], contact.state).multiplier;
   }
 
 

@@ -110,7 +110,7 @@ namespace Lahar
       if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
-    if (!friction.empty())
+    if (friction.any())
       friction.assemble(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), system);
     if (solid.nodes_per_cell() > 0)
     {
@@ -220,9 +220,29 @@ namespace Lahar
 
 
   template <int dim>
+  void StepProblem<dim>::iterate_friction()
+  {
+    if (!friction.any())
+      return;
+    std::vector<Tensor<1, dim>> reactions = system.momentum_residual();
+    system.partition().update(reactions);
+    friction.iterate(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), reactions);
+  }
+
+
+
+  template <int dim>
+  bool StepProblem<dim>::is_settled() const
+  {
+    return !friction.any() || on_all_ranks(friction.is_settled());
+  }
+
+
+
+  template <int dim>
   void StepProblem<dim>::end_iteration()
   {
-    friction.update(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure));
+    iterate_friction();
     crushed_cells.update(fluid.state.left_out);
     if (held_vertices.update(system.partition(), constraints))
       fix_pressures();
@@ -303,8 +323,7 @@ namespace Lahar
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(solid.gather(system.partition(), system.solid_residual()), solids);
-    friction.update(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure));
-    friction.accept(*region_mesh, cloud);
+    friction.accept(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), *region_mesh, cloud);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }

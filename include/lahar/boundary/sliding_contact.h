@@ -11,6 +11,16 @@
 
 namespace Lahar
 {
+  /// What a contact knows besides velocity and pressure.
+  template <int dim>
+  struct SlidingState
+  {
+    Tensor<1, dim> multiplier;    ///< λ
+    double excess_stress = 0.;    ///< e = N + p of the iteration before, Pa
+    bool held            = false; ///< whether the vertex is held, whatever it takes
+    Tensor<1, dim> direction;     ///< P of the iteration before if the vertex slid, else zero
+  };
+
   /// Force of a vertex on a surface along which it slides, and its derivatives.
   template <int dim>
   struct SlidingForce
@@ -25,30 +35,39 @@ namespace Lahar
    * A vertex that slides along a boundary that resists, with its share A of the boundary: that of the faces whose corners
    * all touch the boundary, divided evenly among their corners.
    *
-   * With s the tangential part of the vertex's velocity relative to the boundary, the traction of a SurfaceLaw is
-   * that of an augmented Lagrangian,
+   * With s the tangential part of the vertex's velocity relative to the boundary, the traction of a SurfaceLaw is that of
+   * an augmented Lagrangian,
    *
    *   t = −[β s + τ_c P],   P = Y/max(τ_c, |Y|),   Y = τ_c λ + k s,
    *
-   * whose multiplier λ, |λ| ≤ 1, is set to P after each iteration: then P = s/|s| where the vertex slides, and s = 0 where
-   * |P| < 1, whatever k > 0 is; k says how fast. λ is kept by the particle from step to step. The normal stress is
-   * N = max(−p, 0), p the vertex's pressure.
-   * The tangent of P is exact. (Semismooth Newton for Tresca's and Coulomb's friction: Hüeber, Stadler & Wohlmuth, SIAM J.
-   * Sci. Comput. 30 (2008) 572–596.)
+   * whose multiplier λ, |λ| ≤ 1, is constant in a step and P of its end in the next one: so P = s/|s| where the vertex
+   * slides, and where it sticks s falls to zero within few steps, the faster the larger k is. The particle keeps λ. In a
+   * step P is the derivative of a convex function of s, and its tangent is exact. (Semismooth Newton for Tresca's and
+   * Coulomb's friction: Hüeber, Stadler & Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572–596.) Sliding that turns round
+   * within an iteration has passed over sticking: in the next one the vertex is held, P = Y/τ_c without a limit.
+   *
+   * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), with e = N + p
+   * halfway to that of the iteration before, so that at the end friction is τ_c of the whole reaction, viscous stress
+   * included.
    */
   template <int dim>
   struct SlidingContact
   {
     unsigned int vertex   = 0;
     const SurfaceLaw *law = nullptr;
-    double area           = 0.; ///< A, m² (m in the plane)
-    Tensor<1, dim> normal;
+    double area           = 0.;   ///< A, m² (m in the plane)
+    Tensor<1, dim> normal;        ///< into the fluid
     Tensor<1, dim> wall_velocity; ///< mean of the step, m/s
     double stiffness = 0.;        ///< k, Pa s/m
 
-    /// At the mean @p velocity (m/s) and @p pressure (Pa, positive in tension) with @p multiplier for λ.
+    /// At the mean @p velocity (m/s) and @p pressure (Pa, positive in tension).
     SlidingForce<dim> force(const Tensor<1, dim> &velocity, const double pressure,
-                            const Tensor<1, dim> &multiplier) const;
+                            const SlidingState<dim> &state) const;
+
+    /// What @p state becomes after an iteration that ended with this velocity and pressure, and with the boundary's
+    /// @p reaction on the vertex, N. λ stays.
+    void iterate(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
+                 SlidingState<dim> &state) const;
 
     /**
      * All contacts of a mesh at the start of a step, by ascending vertices.

@@ -15,11 +15,12 @@ namespace Lahar
   {
     unsigned int iterations        = 0;
     unsigned int linear_iterations = 0;
-    unsigned int n_held            = 0;  ///< vertices that were held, see StepProblem::end_iteration()
-    double velocity_increment      = 0.; ///< ‖δv‖/‖v‖ of the last iteration
-    double pressure_increment      = 0.; ///< ‖δp‖/‖p‖ of the last iteration
-    double momentum_residual       = 0.; ///< norm of the last assembled residual, N
-    double mass_residual           = 0.; ///< norm of the last assembled residual, m^dim/s
+    unsigned int n_held            = 0;     ///< vertices that were held, see StepProblem::end_iteration()
+    double velocity_increment      = 0.;    ///< ‖δv‖/‖v‖ of the last iteration
+    double pressure_increment      = 0.;    ///< ‖δp‖/‖p‖ of the last iteration
+    double momentum_residual       = 0.;    ///< norm of the last assembled residual, N
+    double mass_residual           = 0.;    ///< norm of the last assembled residual, m^dim/s
+    bool is_settled                = false; ///< see StepProblem
     std::vector<std::pair<double, double>> increments; ///< of velocity and pressure, by iteration
   };
 
@@ -70,7 +71,8 @@ namespace Lahar
     /// Whether both increments are within the tolerance.
     bool is_converged(const NonlinearReport &report) const
     {
-      return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance;
+      return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance &&
+             report.is_settled;
     }
 
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.

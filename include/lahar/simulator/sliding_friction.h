@@ -23,9 +23,9 @@ namespace Lahar
   public:
     /**
      * Begin a step of length @p time_step (s) with the @p contacts of the region's mesh, whose vertices are the first
-     * nodes. The multipliers are those of the particles; each contact's stiffness becomes 100 ρ h/Δt + 30 μ/h, h the
+     * nodes. Multipliers and reactions are those of the particles; each contact's stiffness becomes 20 ρ h/Δt + 5 μ/h, h the
      * particle's spacing and μ the viscous part at the strain rate 1/Δt: sliding that must stop then does so within few
-     * iterations, whatever moves behind the vertex.
+     * steps, whatever moves behind the vertex. Collective.
      */
     void start_step(const std::vector<SlidingContact<dim>> &contacts, const FluidMesh<dim> &mesh,
                     const ParticleCloud<dim> &cloud, const FluidLaw &law, const double time_step,
@@ -35,15 +35,22 @@ namespace Lahar
     void assemble(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
                   BlockSystem<dim> &system) const;
 
-    /// End an iteration: λ = P.
-    void update(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures);
+    /// End an iteration, see SlidingContact. @param reactions of the boundaries on the nodes, as the last assembly has
+    /// them.
+    void iterate(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
+                 const std::vector<Tensor<1, dim>> &reactions);
 
-    /// Keep the multipliers with the particles of the region's mesh; what does not slide has none.
-    void accept(const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const;
+    /// Whether no vertex of this rank is held for an iteration.
+    bool is_settled() const;
 
-    bool empty() const
+    /// End the step: λ = P, which the particles of the region's mesh keep; what does not slide has none.
+    void accept(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
+                const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const;
+
+    /// Whether anything slides with friction on any rank.
+    bool any() const
     {
-      return contacts.empty();
+      return is_any;
     }
 
   private:
@@ -51,10 +58,11 @@ namespace Lahar
     {
       SlidingContact<dim> at; ///< with the vertex of the region's mesh
       unsigned int node;      ///< local number
-      Tensor<1, dim> multiplier;
+      SlidingState<dim> state;
     };
 
     std::vector<Contact> contacts; ///< of the nodes that this rank knows
+    bool is_any = false;
   };
 } // namespace Lahar
 

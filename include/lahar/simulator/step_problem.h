@@ -85,6 +85,9 @@ namespace Lahar
     /// crushes are left out, see CrushedCells, and friction is what the velocities ask for, see SlidingFriction.
     void end_iteration();
 
+    /// Whether the last iteration solved the step's own equations: friction held no vertex, see SlidingContact.
+    bool is_settled() const;
+
     /// Whether increments were halved in the last step.
     bool was_damped() const
     {
@@ -170,6 +173,8 @@ namespace Lahar
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
     void start_increment();
+    /// Friction follows velocities, pressures and reactions.
+    void iterate_friction();
     /// Velocities of the known nodes.
     std::vector<Tensor<1, dim>> node_velocities() const;
     /// Values of the fluid's vertices from those of the known nodes, and the other way round, zero at other nodes.
