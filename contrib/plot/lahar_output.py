@@ -116,7 +116,8 @@ def to_array(words):
 
 
 def read_pvd(path, part=0):
-    """The snapshots of a .pvd file, a list of (time in s, path) in the order of time: part 0 is the fluid, 1 the solids."""
+    """The snapshots of a .pvd file, a list of (time in s, path) in the order of time: part 0 is the fluid, 1 the
+    solids, 2 the walls."""
     entries = parse_xml(path).iter("DataSet")
     folder = pathlib.Path(path).parent
     try:
@@ -238,10 +239,9 @@ class DataReader:
 # --------------------------------------------------------------------------------------------------------- walls
 
 
-def read_walls(directory):
-    """The walls of a run in the plane as polylines, from its walls.vtu; none if there is no such file."""
-    path = pathlib.Path(directory) / "walls.vtu"
-    if not path.is_file():
+def read_walls(path):
+    """The walls in the plane as polylines, from a file walls.vtu or walls-NNNNN.vtu; none if there is no such file."""
+    if not pathlib.Path(path).is_file():
         return []
     root = parse_xml(path)
     try:

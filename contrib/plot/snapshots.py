@@ -5,7 +5,7 @@
     snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed
     snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
-Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run's walls.vtu, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
+Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
 starts is a solid body, or the tank of fluid inside it.
 """
 
@@ -222,7 +222,10 @@ class Snapshots:
         chosen = choose_snapshots(directory, arguments.times)
         self.times = [time for time, _ in chosen]
         self.meshes = [read_vtu(path) for _, path in chosen]
-        self.walls = parse_walls(arguments.walls) if arguments.walls else read_walls(directory)
+        # Walls that move have a file for each snapshot.
+        moving = dict(read_pvd(directory / "solution.pvd", 2))
+        self.walls = [parse_walls(arguments.walls) if arguments.walls else
+                      read_walls(moving.get(time, directory / "walls.vtu")) for time in self.times]
         solids = {time: path for time, path in read_pvd(directory / "solution.pvd", 1)}
         self.solids = [read_vtu(solids[time]) if time in solids else None for time in self.times]
 
@@ -233,7 +236,7 @@ def draw(arguments):
     if len({len(run.times) for run in runs}) > 1:
         raise OutputError("the runs do not have the same number of snapshots at these times")
     meshes = [mesh for run in runs for mesh in run.meshes]
-    limits = view(meshes, [wall for run in runs for wall in run.walls], arguments.limits)
+    limits = view(meshes, [wall for run in runs for walls in run.walls for wall in walls], arguments.limits)
     # Row by row: one row holds all runs at one time.
     panels = [(run, label, i) for i in range(len(runs[0].times)) for run, label in zip(runs, labels)]
     figure, axes = make_axes(len(panels), limits, len(runs) if len(runs) > 1 else arguments.columns)
@@ -253,7 +256,7 @@ def draw(arguments):
         draw_outline(panel, mesh)
         if run.solids[i]:
             draw_solids(panel, run.solids[i])
-        draw_walls(panel, run.walls, run.meshes[0])
+        draw_walls(panel, run.walls[i], run.meshes[0])
         panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:],
                   title=(f"{label}, " if len(runs) > 1 else "") + f"$t$ = {run.times[i]:.4g} s")
     label_axes(axes, len(panels))

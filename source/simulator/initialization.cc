@@ -133,7 +133,7 @@ namespace Lahar
            << " cells across.";
       warn(text);
     }
-    // Quadratic elements bend right with one across (doc/theory.md).
+    // Quadratic elements bend right with one across (doc/theory/solids.md).
     if (!solids.empty() && solids.mesh().nodes_per_cell() == dim + 1)
     {
       const std::vector<WallFacet<dim>> &facets = contour.wall_facets();

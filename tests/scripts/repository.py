@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Test what a stranger sees of the repository: links in Markdown files lead to files and headings that exist, and
-CITATION.cff and the files under .github can be read.
+"""Test what a stranger sees of the repository: links in Markdown files lead to files and headings that exist, changes are
+told in three lines, and CITATION.cff and the files under .github can be read.
 
 Usage: repository.py
 """
@@ -46,6 +46,13 @@ def check_links():
             elif anchor and target.suffix == ".md" and anchor not in anchors(target):
                 broken.append(f"{page.relative_to(ROOT)}: {link}: no such heading")
     check("links lead somewhere", not broken, *broken)
+
+
+def check_changes():
+    """A change is told in three lines at most; what was tried and measured for it stands in the notebook."""
+    long = [path.name for path in sorted((ROOT / "doc/changes").glob("2*.md"))
+            if len([line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]) > 4]
+    check("changes are a heading and three lines", not long, *long)
 
 
 def check_yaml():
@@ -98,6 +105,7 @@ def check_rooms():
 
 
 check_links()
+check_changes()
 check_yaml()
 check_rooms()
 check_scripts()

@@ -33,7 +33,7 @@ namespace Lahar
     virtual void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const = 0;
 
     /// Add those of a face of the cell on the free surface.
-    /// @param opposite the cell's node that the face does not have.
+    /// The number is that of the cell's node that the face does not have.
     virtual void assemble_free_surface(const FluidCell<dim> & /*cell*/, const unsigned int /*opposite*/,
                                        CellSystem<dim> & /*system*/) const
     {}

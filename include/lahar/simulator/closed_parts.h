@@ -32,7 +32,7 @@ namespace Lahar
 
     /**
      * @throws RunError if a part has other volumes at the end of the step than at its start, with a place in it.
-     * Collective. @param cells, @p positions as above, @p old_volumes and @p new_volumes of the cells.
+     * Collective. Cells and positions as above, @p old_volumes and @p new_volumes of the cells.
      */
     void check(const std::vector<Simplex<dim>> &cells, const std::vector<Point<dim>> &positions,
                const std::vector<double> &old_volumes, const std::vector<double> &new_volumes,
