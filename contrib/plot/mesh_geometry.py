@@ -29,8 +29,8 @@ def joined_points(points):
 
 
 def faces_with_cells(mesh):
-    """Every edge of triangles, in space every face of tetrahedra, as its points and the one or two cells beside it (the second
-    is -1 on the boundary)."""
+    """Every edge of triangles, in space every face of tetrahedra, as its points and the one or two cells beside it (the
+    second is -1 on the boundary)."""
     place, first_point = joined_points(mesh.points)
     faces = np.concatenate([mesh.cells[:, face] for face in FACES[mesh.cells.shape[1]]])
     cells = np.tile(np.arange(len(mesh.cells)), len(FACES[mesh.cells.shape[1]]))
@@ -51,7 +51,7 @@ def faces_with_cells(mesh):
 
 
 def outside(mesh):
-    """The edges of triangles, in space the faces of tetrahedra on the outside, turned outwards: their points and their cells."""
+    """The edges of triangles, in space the faces of tetrahedra on the outside, turned outwards: points and cells."""
     faces, cells, others = faces_with_cells(mesh)
     is_outer = others < 0
     faces, cells = faces[is_outer], cells[is_outer]

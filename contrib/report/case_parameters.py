@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the parameters of a run say: entries, what differs from the defaults, the parts of the case and where they are."""
+"""What the parameters of a run say: entries, what differs from the defaults, the parts of the case and their places."""
 
 import re
 from dataclasses import dataclass
@@ -61,7 +61,7 @@ class CaseParameters:
         return parse_point(self.get("Gravity"), self.dimension)
 
     def point_lists(self, kind, name):
-        """The bodies or walls of a part as arrays of points; none where its shape is that of a mesh file or of a plugin."""
+        """The bodies or walls of a part as arrays of points; none where the shape is a mesh file or a plugin's."""
         shape = self.get(f"{kind}/{name}/Shape")
         if shape in POINTS_OF_SHAPE:
             return parse_point_lists(self.get(f"{kind}/{name}/{shape}/{POINTS_OF_SHAPE[shape]}"), self.dimension)
@@ -79,7 +79,8 @@ class CaseParameters:
     def law_entries(self, kind, name):
         """The entries of a part's law: name, value and unit, as far as its explanation says it."""
         section = (kind, name, self.law(kind, name))
-        return [(entry.name, entry.value, unit_in(entry.documentation)) for entry in self.entries.values() if entry.section == section]
+        return [(entry.name, entry.value, unit_in(entry.documentation)) for entry in self.entries.values()
+                if entry.section == section]
 
     def named_points(self, path):
         """Points such as those of gauges, 'foot: 0.286, 0.01 ; ...', by name."""
@@ -135,7 +136,7 @@ def parse_point_lists(text, dimension):
 
 
 def differing(cases):
-    """The paths of entries whose values differ between the cases; a part that one of them lacks counts once, in its list."""
+    """The paths of entries that all cases have and whose values differ between them."""
     paths = {path: None for case in cases for path in case.entries}
     return [path for path in paths
             if path.rsplit("/", 1)[-1] not in PLACES and all(path in case.entries for case in cases)

@@ -51,7 +51,8 @@ def feature_edges(mesh):
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
     edges, cells, others = faces_with_cells(Mesh(mesh.points, mesh.cells))
-    is_flat = (others >= 0) & (np.abs((normals[cells] * normals[others]).sum(axis=1)) > np.cos(np.radians(FEATURE_ANGLE)))
+    is_flat = (others >= 0) & (np.abs((normals[cells]
+                                       * normals[others]).sum(axis=1)) > np.cos(np.radians(FEATURE_ANGLE)))
     return mesh.points[edges[~is_flat]]
 
 
@@ -74,7 +75,7 @@ def labels(run, flow, walls, box):
 
 
 def place_of(run, flow, walls, box, kind, name, number):
-    """A place in a part: the middle of a fluid or a solid, a point in the middle of a boundary; None if nothing tells."""
+    """A place in a part: the middle of a fluid or a solid, a point of a boundary; None if nothing tells."""
     if kind == "Boundaries":
         return place_of_boundary(run, walls, box, name)
     if kind == "Solids":
@@ -91,7 +92,8 @@ def place_of(run, flow, walls, box, kind, name, number):
 
 def middle(corners):
     """The middle of a surface of triangles, (n, 3, dimension)."""
-    return 0.5 * (corners.reshape(-1, corners.shape[-1]).min(axis=0) + corners.reshape(-1, corners.shape[-1]).max(axis=0))
+    return 0.5 * (corners.reshape(-1, corners.shape[-1]).min(axis=0) + corners.reshape(-1,
+                                                                                       corners.shape[-1]).max(axis=0))
 
 
 def place_of_boundary(run, walls, box, name):

@@ -4,10 +4,13 @@
 
 // Viridis and the lighter part of magma, turned round (matplotlib), at even distances.
 const FIELD_STYLES = {
-  speed: {title: "speed", unit: "m/s", stops: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"]},
+  speed: {title: "speed", unit: "m/s", stops: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80",
+                                               "#5ec962", "#addc30", "#fde725"]},
   pressure: {title: "pressure, positive where it pushes", unit: "Pa",
-             stops: ["#fcfdbf", "#fecf92", "#fe9f6d", "#f7705c", "#de4968", "#b73779", "#8c2981", "#641a80", "#3b0f70"]},
-  yielded: {title: "yielding", unit: "", stops: ["#d3d9de", "#3d4c63"], words: ["rigid, below the yield stress", "yielded"]},
+             stops: ["#fcfdbf", "#fecf92", "#fe9f6d", "#f7705c", "#de4968", "#b73779", "#8c2981", "#641a80",
+                     "#3b0f70"]},
+  yielded: {title: "yielding", unit: "", stops: ["#d3d9de", "#3d4c63"],
+            words: ["rigid, below the yield stress", "yielded"]},
 };
 const N_COLOURS = 256;
 
@@ -48,21 +51,26 @@ function colourScale(field)
 function valueText(field, value)
 {
   const style = FIELD_STYLES[field];
-  return style.words ? style.words[value > 0.5 ? 1 : 0] : `${style.title.split(",")[0]} ${numberText(value, 3)} ${style.unit}`;
+  return style.words ? style.words[value > 0.5 ? 1 : 0]
+    : `${style.title.split(",")[0]} ${numberText(value, 3)} ${style.unit}`;
 }
 
 function drawLegend(element, field, range)
 {
   const style = FIELD_STYLES[field];
   if (style.words) {
-    element.innerHTML = style.words.map((word, i) => `<span class="swatch" style="background:${style.stops[i]}"></span>${word}`).join(" ");
+    const swatch = i => `<span class="swatch" style="background:${style.stops[i]}"></span>${style.words[i]}`;
+    element.innerHTML = swatch(0) + " " + swatch(1);
     return;
   }
   const [lower, upper] = range.colours, [lowest, largest] = range.values, marks = [];
   for (let i = 0; i <= Math.round((upper - lower) / range.step); ++i)
     marks.push(i * range.step / (upper - lower));
-  const ends = [lowest < lower - 1e-9 * (upper - lower) ? "≤ " : "", largest > upper + 1e-9 * (upper - lower) ? "≥ " : ""];
-  element.innerHTML = `<span class="bar"><span class="gradient" style="background:linear-gradient(90deg,${style.stops.join(",")})"></span>` +
-    marks.map(m => `<span class="mark" style="left:${100 * m}%">${m === 0 ? ends[0] : m === 1 ? ends[1] : ""}` +
-                   `${numberText(lower + m * (upper - lower), 3)}</span>`).join("") + `</span><span class="unit">${style.unit}</span>`;
+  const ends = [lowest < lower - 1e-9 * (upper - lower) ? "≤ " : "", largest > upper + 1e-9 * (upper - lower) ? "≥ "
+                : ""];
+  const text = i => (i === 0 ? ends[0] : i === marks.length - 1 ? ends[1] : "") +
+    numberText(lower + marks[i] * (upper - lower), 3);
+  const labels = marks.map((mark, i) => `<span class="mark" style="left:${100 * mark}%">${text(i)}</span>`).join("");
+  const gradient = `<span class="gradient" style="background:linear-gradient(90deg,${style.stops.join(",")})"></span>`;
+  element.innerHTML = `<span class="bar">${gradient}${labels}</span><span class="unit">${style.unit}</span>`;
 }

@@ -6,15 +6,18 @@
 const CURVE_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"];
 const DASHES = ["solid", "dot", "dash", "dashdot", "longdash"];
 const CURVE_CONFIG = {displaylogo: false, responsive: true,
-                      modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "toggleSpikelines", "zoomIn2d", "zoomOut2d"]};
+                      modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "toggleSpikelines", "zoomIn2d",
+                                               "zoomOut2d"]};
 
 function curveLayout(yTitle, xTitle, logarithmic, hasLegend)
 {
-  const axis = {gridcolor: "#ececec", zerolinecolor: "#c8c8c8", zerolinewidth: 1, linecolor: "#9a9a9a", showline: true, mirror: true,
-                ticks: "outside", ticklen: 4, tickcolor: "#9a9a9a", tickfont: {size: 11}, automargin: true, exponentformat: "power", minexponent: 5};
+  const axis = {gridcolor: "#ececec", zerolinecolor: "#c8c8c8", zerolinewidth: 1, linecolor: "#9a9a9a", showline: true,
+                mirror: true, ticks: "outside", ticklen: 4, tickcolor: "#9a9a9a", tickfont: {size: 11},
+                automargin: true, exponentformat: "power", minexponent: 5};
   return {
-    font: FONT, height: hasLegend ? 300 : 270, margin: {l: 62, r: 14, t: 8, b: 42}, plot_bgcolor: "#fff", hovermode: "x unified",
-    showlegend: hasLegend, legend: {orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: {size: 11}, traceorder: "normal"},
+    font: FONT, height: hasLegend ? 300 : 270, margin: {l: 62, r: 14, t: 8, b: 42}, plot_bgcolor: "#fff",
+    hovermode: "x unified", showlegend: hasLegend,
+    legend: {orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: {size: 11}, traceorder: "normal"},
     xaxis: {...axis, zeroline: false, title: {text: xTitle, standoff: 6}},
     yaxis: {...axis, type: logarithmic ? "log" : "linear", title: {text: yTitle, standoff: 8}},
     hoverlabel: {font: {size: 11}},
@@ -29,12 +32,14 @@ function frameTraces(plot, report)
     if (!column)
       return;
     // In a frame of one quantity the components are enough.
-    const label = plot.columns.length === 1 ? "" : column.label.startsWith(plot.title + " ") ? column.label.slice(plot.title.length + 1) : column.label;
+    const own = column.label.startsWith(plot.title + " ") ? column.label.slice(plot.title.length + 1) : column.label;
+    const label = plot.columns.length === 1 ? "" : own;
     const y = floats(column.y), shown = plot.logarithmic ? Float32Array.from(y, v => v > 0 ? v : NaN) : y;
     traces.push({
       type: "scatter", mode: "lines", x: floats(run.times), y: shown,
       name: isSingle ? label : [run.name, label].filter(Boolean).join(" · "), hovertemplate: "%{y:.5~g}",
-      line: {color: CURVE_COLOURS[(isSingle ? c : r) % CURVE_COLOURS.length], width: 1.6, dash: DASHES[(isSingle ? 0 : c) % DASHES.length]},
+      line: {color: CURVE_COLOURS[(isSingle ? c : r) % CURVE_COLOURS.length], width: 1.6,
+             dash: DASHES[(isSingle ? 0 : c) % DASHES.length]},
     });
   }));
   return traces;
@@ -44,7 +49,8 @@ async function drawFrame(div, report, player)
 {
   const plot = report.plots[Number(div.dataset.plot)], traces = frameTraces(plot, report);
   const layout = curveLayout(plot.unit || "", "time (s)", plot.logarithmic, traces.length > 1);
-  const values = traces.flatMap(trace => Array.from(trace.y)).filter(isFinite), lowest = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const values = traces.flatMap(trace => Array.from(trace.y)).filter(isFinite);
+  const lowest = values.reduce((a, b) => Math.min(a, b), Infinity);
   const middle = 0.5 * (lowest + values.reduce((a, b) => Math.max(a, b), -Infinity));
   if (plot.section === "numerics")
     layout.yaxis.rangemode = "tozero";
@@ -61,7 +67,7 @@ function whenVisible(elements, draw)
     if (waiting.delete(div))
       draw(div);
   };
-  const observer = new IntersectionObserver(entries => entries.filter(e => e.isIntersecting).forEach(e => now(e.target)),
+  const observer = new IntersectionObserver(all => all.filter(e => e.isIntersecting).forEach(e => now(e.target)),
                                             {rootMargin: "400px"});
   elements.forEach(div => observer.observe(div));
   window.addEventListener("beforeprint", () => [...waiting].forEach(now));
@@ -84,15 +90,18 @@ class Sweep
 
   draw()
   {
-    const parameter = this.report.sweep.parameters[this.parameter.value], measure = this.report.sweep.measures[this.measure.value];
+    const parameter = this.report.sweep.parameters[this.parameter.value],
+      measure = this.report.sweep.measures[this.measure.value];
     const isNumeric = parameter.values.every(v => v.trim() !== "" && isFinite(Number(v)));
     const order = parameter.values.map((_, r) => r);
     if (isNumeric)
       order.sort((a, b) => parameter.values[a] - parameter.values[b]);
+    const place = r => isNumeric ? Number(parameter.values[r]) : parameter.values[r];
     const trace = {
-      type: "scatter", mode: isNumeric ? "lines+markers" : "markers", x: order.map(r => isNumeric ? Number(parameter.values[r]) : parameter.values[r]),
-      y: order.map(r => measure.values[r]), text: order.map(r => this.report.runs[r].name), hovertemplate: "%{text}<br>%{y:.5~g}<extra></extra>",
-      line: {color: "#b5b5b5", width: 1.2}, marker: {size: 9, color: order.map(r => CURVE_COLOURS[r % CURVE_COLOURS.length])},
+      type: "scatter", mode: isNumeric ? "lines+markers" : "markers", x: order.map(place),
+      y: order.map(r => measure.values[r]), text: order.map(r => this.report.runs[r].name),
+      hovertemplate: "%{text}<br>%{y:.5~g}<extra></extra>", line: {color: "#b5b5b5", width: 1.2},
+      marker: {size: 9, color: order.map(r => CURVE_COLOURS[r % CURVE_COLOURS.length])},
     };
     const layout = curveLayout(measure.name + (measure.unit ? ` (${measure.unit})` : ""), parameter.name, false, false);
     layout.hovermode = "closest";

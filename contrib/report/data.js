@@ -92,6 +92,19 @@ function outlineOf(surface)
   return {x, y};
 }
 
+// Calls changed(width) when the width of an element that holds a plot has changed; not within the browser's layout.
+function whenResized(div, changed)
+{
+  let width = div.clientWidth;
+  new ResizeObserver(() => setTimeout(() => {
+    const now = div.clientWidth;
+    if (now < 50 || Math.abs(now - width) < 2)
+      return;
+    width = now;
+    changed(width);
+  }, 0)).observe(div.parentElement);
+}
+
 function nearest(times, time)
 {
   let best = 0;

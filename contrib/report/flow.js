@@ -12,7 +12,8 @@ class FlowPlayer
     this.fields = report.fields;
     this.times = [...new Set(report.runs.flatMap(run => run.flow.snapshots.map(s => s.time)))].sort((a, b) => a - b);
     const find = id => document.getElementById(id);
-    Object.assign(this, {slider: find("slider"), label: find("time"), menu: find("field"), legend: find("legend"), play: find("play")});
+    Object.assign(this, {slider: find("slider"), label: find("time"), menu: find("field"), legend: find("legend"),
+                         play: find("play")});
     this.slider.max = this.times.length - 1;
     for (const name of Object.keys(this.fields))
       this.menu.add(new Option(FIELD_STYLES[name].title, name));
@@ -119,6 +120,7 @@ class FlowPlayer
     if (!camera || this.turning)
       return;
     this.turning = true;
-    Promise.all(this.views.filter(other => other !== view).map(other => other.follow(camera))).then(() => this.turning = false);
+    const others = this.views.filter(other => other !== view);
+    Promise.all(others.map(other => other.follow(camera))).then(() => this.turning = false);
   }
 }

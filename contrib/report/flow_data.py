@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Snapshots as compact data for the page: what is drawn, rounded to 16 bits and compressed.
 
-In the plane all triangles are kept with their outline, in space the triangles on the outside. A snapshot is one block of
-bytes, whose arrays (little endian, component by component) stand one behind the other, each padded to four bytes: for the
-fluid and then for the solids positions (uint16), corners of triangles (uint32), in the plane the outline (uint32, lines
-separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8.
+In the plane all triangles are kept with their outline, in space the triangles on the outside. A snapshot is one block
+of bytes, whose arrays (little endian, component by component) stand one behind the other, each padded to four bytes:
+for the fluid and then for the solids positions (uint16), corners of triangles (uint32), in the plane the outline
+(uint32, lines separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8.
 """
 
 import gzip
@@ -79,7 +79,8 @@ def read_surface(path, dimension):
     surface = Surface(mesh.points[kept], corners.reshape(-1, 3)[order])
     cells = cells[order]
     if "velocity" in mesh.point_data:
-        surface.fields["speed"] = np.linalg.norm(mesh.point_data["velocity"].reshape(len(mesh.points), -1)[kept], axis=1)
+        surface.fields["speed"] = np.linalg.norm(mesh.point_data["velocity"].reshape(len(mesh.points), -1)[kept],
+                                                 axis=1)
     if "pressure" in mesh.point_data:
         surface.fields["pressure"] = -mesh.point_data["pressure"][kept]
     if "yielded" in mesh.cell_data or "yielded" in mesh.point_data:
@@ -211,11 +212,12 @@ def padded(data):
 
 
 def thinned(blocks_of_runs, largest=LARGEST_TOTAL):
-    """The blocks of every run; every second one is left out, but for the first and the last, until all are below @p largest
-    bytes in base64."""
+    """The blocks of every run; every second one is left out, but for the first and the last, until all are below
+    @p largest bytes in base64."""
     def total():
         return sum(4 * len(data) / 3 for blocks in blocks_of_runs for _, data in blocks)
 
     while total() > largest and any(len(blocks) > 2 for blocks in blocks_of_runs):
-        blocks_of_runs = [blocks[::2] if len(blocks) % 2 == 1 else [blocks[0], *blocks[1::2]] for blocks in blocks_of_runs]
+        blocks_of_runs = [blocks[::2] if len(blocks) % 2 == 1 else [blocks[0], *blocks[1::2]] for blocks
+                          in blocks_of_runs]
     return blocks_of_runs

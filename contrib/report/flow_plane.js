@@ -15,7 +15,8 @@ function planeLayout(box, width)
     font: FONT, width, height: Math.round(Math.min(Math.max((width - 76) * aspect + 52, 190), 520)),
     margin: {l: 62, r: 14, t: 8, b: 44}, showlegend: false, dragmode: "pan", hovermode: false, plot_bgcolor: "#fff",
     xaxis: {...AXIS, range: [lower[0], upper[0]], constrain: "domain", title: {text: "x (m)", standoff: 6}},
-    yaxis: {...AXIS, range: [lower[1], upper[1]], constrain: "domain", scaleanchor: "x", title: {text: "y (m)", standoff: 6}},
+    yaxis: {...AXIS, range: [lower[1], upper[1]], constrain: "domain", scaleanchor: "x",
+            title: {text: "y (m)", standoff: 6}},
     images: [], annotations: [],
   };
 }
@@ -51,18 +52,10 @@ class PlaneView
     });
     this.div.addEventListener("mousemove", event => this.readAt(event));
     this.div.addEventListener("mouseleave", () => this.readout.textContent = "");
-    this.observeSize();
-  }
-
-  observeSize()
-  {
-    new ResizeObserver(() => {
-      const width = this.div.clientWidth;
-      if (width < 50 || Math.abs(width - this.layout.width) < 2)
-        return;
-      this.layout.width = width;
-      Plotly.relayout(this.div, {width, height: planeLayout(this.run.flow.box, width).height}).then(() => this.draw());
-    }).observe(this.div.parentElement);
+    whenResized(this.div, width => {
+      Object.assign(this.layout, {width, height: planeLayout(this.run.flow.box, width).height});
+      Plotly.relayout(this.div, {width, height: this.layout.height}).then(() => this.draw());
+    });
   }
 
   async show(k, field)
@@ -85,7 +78,8 @@ class PlaneView
     this.painting = new Painting(xaxis, yaxis, Math.min(window.devicePixelRatio || 1, 2));
     const {fluid, solid} = this.snapshot, colours = this.fields[this.field];
     if (fluid && colours)
-      this.painting.paint(fluid, fluid.fields[this.field], this.field === "yielded", colours.colours, coloursOf(this.field));
+      this.painting.paint(fluid, fluid.fields[this.field], this.field === "yielded", colours.colours,
+                          coloursOf(this.field));
     if (solid)
       this.painting.paintPlain(solid, SOLID);
     this.layout.images = [this.painting.image()];
@@ -130,13 +124,16 @@ class Painting
     const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
     if (area === 0)
       return;
-    const first = Math.max(Math.floor(Math.min(ay, by, cy)), 0), last = Math.min(Math.ceil(Math.max(ay, by, cy)), this.height - 1);
-    const left = Math.max(Math.floor(Math.min(ax, bx, cx)), 0), right = Math.min(Math.ceil(Math.max(ax, bx, cx)), this.width - 1);
+    const first = Math.max(Math.floor(Math.min(ay, by, cy)), 0), last = Math.min(Math.ceil(Math.max(ay, by, cy)),
+                                                                                 this.height - 1);
+    const left = Math.max(Math.floor(Math.min(ax, bx, cx)), 0), right = Math.min(Math.ceil(Math.max(ax, bx, cx)),
+                                                                                 this.width - 1);
     const few = -1e-6;
     for (let j = first; j <= last; ++j)
       for (let i = left; i <= right; ++i) {
         const x = i + 0.5, y = j + 0.5;
-        const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area, wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
+        const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area,
+          wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
         const wa = 1 - wb - wc;
         if (wa >= few && wb >= few && wc >= few)
           set(j * this.width + i, wa, wb, wc);

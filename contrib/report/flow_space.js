@@ -5,23 +5,34 @@
 const LIGHT = {ambient: 0.78, diffuse: 0.38, specular: 0.08, roughness: 0.85, fresnel: 0.05};
 const LIGHT_PLACE = {x: -4000, y: -8000, z: 12000};
 
+// The height of the box over its largest side, at most 1.
+function flatness(run)
+{
+  const size = run.flow.size, vertical = run.gravity.map(Math.abs).indexOf(Math.max(...run.gravity.map(Math.abs)));
+  return size[vertical] / Math.max(...size);
+}
+
 function spaceLayout(run, width)
 {
   const [lower, upper] = run.flow.box, names = ["x", "y", "z"];
-  const axis = d => ({range: [lower[d], upper[d]], title: {text: `${names[d]} (m)`}, backgroundcolor: "#fbfbfb", showbackground: true,
+  const axis = d => ({range: [lower[d], upper[d]], title: {text: `${names[d]} (m)`}, backgroundcolor: "#fbfbfb",
+                      showbackground: true,
                       gridcolor: "#e8e8e8", zeroline: false, tickfont: {size: 10}, nticks: 6, showspikes: false});
   // Whatever gravity pulls along is vertical.
   const vertical = run.gravity.map(Math.abs).indexOf(Math.max(...run.gravity.map(Math.abs)));
   const up = [0, 1, 2].map(d => d === vertical ? (run.gravity[d] > 0 ? -1 : 1) : 0);
-  const eye = vertical === 2 ? [0.42, -0.78, 0.46 * up[2]] : vertical === 1 ? [0.42, 0.46 * up[1], 0.78] : [0.46 * up[0], -0.78, 0.42];
+  const eye = vertical === 2 ? [0.42, -0.78, 0.46 * up[2]] : vertical === 1 ? [0.42, 0.46 * up[1], 0.78]
+    : [0.46 * up[0], -0.78, 0.42];
   // Equal axes; the largest side has the length 1, and the camera sees the whole box.
   const size = [0, 1, 2].map(d => upper[d] - lower[d]), ratio = size.map(s => s / Math.max(...size));
   const distance = 2.45 * 0.5 * Math.hypot(...ratio);
   const vector = v => ({x: v[0], y: v[1], z: v[2]});
   return {
-    font: FONT, width, height: Math.round(Math.min(Math.max(0.62 * width, 300), 600)), margin: {l: 0, r: 0, t: 0, b: 0},
+    font: FONT, width, height: Math.round(Math.min(Math.max((0.42 + 0.2 * flatness(run)) * width, 300), 600)),
+      margin: {l: 0, r: 0, t: 0, b: 0},
     showlegend: false, uirevision: "same",
-    scene: {aspectmode: "manual", aspectratio: vector(ratio), xaxis: axis(0), yaxis: axis(1), zaxis: axis(2), dragmode: "turntable", uirevision: "same",
+    scene: {aspectmode: "manual", aspectratio: vector(ratio), xaxis: axis(0), yaxis: axis(1), zaxis: axis(2),
+            dragmode: "turntable", uirevision: "same",
             camera: {up: vector(up), eye: vector(eye.map(e => distance * e)), center: {x: 0, y: 0, z: 0}}},
   };
 }
@@ -48,9 +59,11 @@ function spaceWallTraces(walls)
   const along = (array, d) => Float32Array.from({length: array.length / 3}, (_, p) => array[3 * p + d]);
   const line = d => [...Array(m).keys()].flatMap(e => [edges[6 * e + d], edges[6 * e + 3 + d], null]);
   return [
-    {type: "mesh3d", x: along(corners, 0), y: along(corners, 1), z: along(corners, 2), i: numbers(0), j: numbers(1), k: numbers(2),
+    {type: "mesh3d", x: along(corners, 0), y: along(corners, 1), z: along(corners, 2), i: numbers(0), j: numbers(1),
+     k: numbers(2),
      color: "#8b8f96", opacity: 0.16, hoverinfo: "skip", flatshading: true, lighting: {ambient: 1, diffuse: 0}},
-    {type: "scatter3d", mode: "lines", x: line(0), y: line(1), z: line(2), hoverinfo: "skip", line: {color: "#6a6f76", width: 2}},
+    {type: "scatter3d", mode: "lines", x: line(0), y: line(1), z: line(2), hoverinfo: "skip",
+     line: {color: "#6a6f76", width: 2}},
   ];
 }
 
@@ -65,13 +78,11 @@ class SpaceView
   {
     this.layout = spaceLayout(this.run, this.div.clientWidth);
     this.walls = spaceWallTraces(this.run.walls);
-    new ResizeObserver(() => {
-      const width = this.div.clientWidth;
-      if (!this.div._fullLayout || width < 50 || Math.abs(width - this.layout.width) < 2)
-        return;
+    whenResized(this.div, width => {
       Object.assign(this.layout, {width, height: spaceLayout(this.run, width).height});
-      Plotly.relayout(this.div, {width, height: this.layout.height});
-    }).observe(this.div.parentElement);
+      if (this.div._fullLayout)
+        Plotly.relayout(this.div, {width, height: this.layout.height});
+    });
   }
 
   async show(k, field)

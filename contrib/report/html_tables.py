@@ -67,7 +67,8 @@ def table(head, rows, numbers=(), caption="", kind=""):
     lines = [f'<div class="scroll"><table class="{kind}">']
     if caption:
         lines.append(f"<caption>{escape(caption)}</caption>")
-    lines.append("<thead><tr>" + "".join(cell(text, "th", i in numbers) for i, text in enumerate(head)) + "</tr></thead><tbody>")
+    lines.append("<thead><tr>" + "".join(cell(text, "th", i in numbers) for i, text in enumerate(head))
+                 + "</tr></thead><tbody>")
     lines += ["<tr>" + "".join(cell(text, "td", i in numbers) for i, text in enumerate(row)) + "</tr>" for row in rows]
     return "\n".join([*lines, "</tbody></table></div>"])
 

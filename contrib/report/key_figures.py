@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers from the statistics of a run: which curves belong together, forces, accounts, one value a run for comparisons."""
+"""Numbers from the statistics of a run: which curves belong together, forces, accounts, values to compare runs by."""
 
 import re
 from dataclasses import dataclass, field
@@ -10,7 +10,8 @@ from run_record import STEP_SIZE, TIME
 
 PRESSURE_NOTE = "positive where it pushes"
 IN_THE_PLANE = {"N": "N/m", "J": "J/m", "N s": "N s/m"}  # forces and energies are those of a slice 1 m thick
-NUMERICAL = ("increment", "residual", "iterations", "Held vertices", "Remeshed", "Rejected", "Mended", "kept out", "Time step size")
+NUMERICAL = ("increment", "residual", "iterations", "Held vertices", "Remeshed", "Rejected", "Mended", "kept out",
+             "Time step size")
 COUNTS = ("cells", "particles")
 SHARES = ("Volume change by solver", "Volume change by remeshing", "Volume left the domain")  # of the initial volume
 VOLUME_CHANGES = "Volume changes over the initial volume"
@@ -123,21 +124,24 @@ def plots(columns):
 
 
 def largest_mean(run, components, window):
-    """The mean over @p window of largest magnitude, by component, and its end; None for shorter runs. Forces are means over
-    steps."""
+    """The mean over @p window of largest magnitude, by component, and its end; None for shorter runs. Forces are means
+    over steps."""
     edges = np.r_[run.time[0] - run.step_sizes[0], run.time]
     ends = run.time[run.time - edges[0] >= window * (1. - 1e-9)]
     if len(ends) == 0:
         return None
     impulses = [np.r_[0., np.cumsum(force * run.step_sizes)] for force in components]
-    means = np.array([np.interp(ends, edges, impulse) - np.interp(ends - window, edges, impulse) for impulse in impulses]) / window
+    means = np.array([np.interp(ends, edges, impulse) - np.interp(ends - window, edges, impulse) for impulse
+                      in impulses]) / window
     i = np.linalg.norm(means, axis=0).argmax()
     return means[:, i], ends[i]
 
 
 def force_row(run, stem, component, components, window):
     """One row of the table of forces: of one component the signed values, of several the magnitudes of vectors."""
-    value = (lambda vector: float(vector[0])) if len(components) == 1 else (lambda vector: float(np.linalg.norm(vector)))
+    def value(vector):
+        return float(vector[0] if len(components) == 1 else np.linalg.norm(vector))
+
     i = np.linalg.norm(components, axis=0).argmax()
     found = largest_mean(run, components, window)
     impulse = (components * run.step_sizes).sum(axis=1)
@@ -171,7 +175,8 @@ def volume_account(columns):
     changes = [(what, 0.01 * by_stem[stem].values[-1] * sign) for what, stem, sign in
                (("by the solver", "Volume change by solver", 1.), ("by remeshing", "Volume change by remeshing", 1.),
                 ("left the domain", "Volume left the domain", -1.)) if stem in by_stem]
-    first = 1. + 0.01 * sum(by_stem[stem].values[0] for stem in ("Volume change by solver", "Volume change by remeshing"))
+    first = 1. + 0.01 * sum(by_stem[stem].values[0] for stem in ("Volume change by solver",
+                                                                 "Volume change by remeshing"))
     initial = volume.values[0] / first if first > 0. else volume.values[0]
     if initial <= 0.:
         return "", []
@@ -183,7 +188,8 @@ def volume_account(columns):
 def energy_account(columns):
     """Rows (energy, after the first step, at the end, change) and their sum; none without energies."""
     energies = [column for column in columns.values() if column.unit.startswith("J")]
-    rows = [(column.stem, column.values[0], column.values[-1], column.values[-1] - column.values[0]) for column in energies]
+    rows = [(column.stem, column.values[0], column.values[-1], column.values[-1] - column.values[0]) for column
+            in energies]
     if len(rows) > 1:
         rows.append(("Sum", *(sum(row[i] for row in rows) for i in (1, 2, 3))))
     return (energies[0].unit if energies else ""), rows
@@ -205,7 +211,7 @@ def momentum_account(columns):
 
 
 def measures(run, columns):
-    """One number a run for comparisons, by (name, unit): the last and the largest value of columns, peaks and impulses."""
+    """One number a run for comparisons, by (name, unit): the last and the largest value of columns, peaks, impulses."""
     found = {}
     for column in columns.values():
         values = column.values[np.isfinite(column.values)]

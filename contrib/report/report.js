@@ -20,7 +20,8 @@ async function start()
 
   const player = new FlowPlayer(report);
   await player.build();
-  document.querySelectorAll(".sketch").forEach(div => whenVisible([div], d => drawSketch(d, report.runs[Number(d.dataset.run)], report.fields)));
+  const sketch = div => drawSketch(div, report.runs[Number(div.dataset.run)], report.fields);
+  whenVisible([...document.querySelectorAll(".sketch")], sketch);
   whenVisible([...document.querySelectorAll("[data-plot]")], div => drawFrame(div, report, player));
   if (report.sweep)
     new Sweep(report).draw();

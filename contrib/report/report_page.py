@@ -30,7 +30,7 @@ def write_report(runs, arguments):
     flows = [read_flow(run, arguments.snapshots) for run in runs]
     for run, flow in zip(runs, flows):
         if not flow.surfaces():
-            raise OutputError(f"{run.directory}/solution.pvd: no snapshot has a cell; allowed: a run with fluid or solids")
+            raise OutputError(f"{run.directory}/solution.pvd: no snapshot has a cell; allowed: a run with some")
     ranges = field_ranges(flows)
     walls = [Walls(run, flow) for run, flow in zip(runs, flows)]
     boxes = common_boxes([view_box(flow, own.corners()) for flow, own in zip(flows, walls)])
@@ -47,8 +47,9 @@ def write_report(runs, arguments):
             heads.append({**head, "id": f"snapshot-{r}-{k}"})
         data["runs"].append(run_data(runs[r], columns[r], flows[r], encoders[r], walls[r], boxes[r], heads))
     write_atomically(arguments.output, page(runs, columns, frames, constant, data, stored, arguments))
-    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, "
-          f"{sum(map(len, blocks))} of {sum(len({t for part in run.snapshots.values() for t, _ in part}) for run in runs)} snapshots)")
+    n_snapshots = sum(len({time for part in run.snapshots.values() for time, _ in part}) for run in runs)
+    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, {sum(map(len, blocks))} of "
+          f"{n_snapshots} snapshots)")
 
 
 def write_atomically(path, text):
@@ -78,14 +79,17 @@ def common_boxes(boxes):
 
 def run_data(run, columns, flow, encoder, walls, box, heads):
     times, kept = thinned_times(run.time)
+    gravity = run.case.gravity()
     return {
-        "name": run.name, "gravity": list(map(float, run.case.gravity() if run.case.gravity() is not None else [0., 0., 0.][:run.dimension])),
+        "name": run.name, "gravity": [0.] * run.dimension if gravity is None else gravity.tolist(),
         "times": floats(times),
-        "columns": {name: {"label": column.label, "y": floats(kept(column.values))} for name, column in columns.items()},
+        "columns": {name: {"label": column.label, "y": floats(kept(column.values))} for name, column
+                    in columns.items()},
         "labels": labels(run, flow, walls, np.array(box)),
         "walls": {"lines": [line.tolist() for line in walls.lines], "filled": [bool(filled) for filled in walls.filled],
                   "n": len(walls.triangles), "triangles": floats(walls.triangles), "edges": floats(walls.edges)},
-        "flow": {"lower": encoder.lower.tolist(), "size": encoder.size.tolist(), "box": [list(map(float, end)) for end in box],
+        "flow": {"lower": encoder.lower.tolist(), "size": encoder.size.tolist(),
+                 "box": [list(map(float, end)) for end in box],
                  "snapshots": heads},
     }
 
@@ -119,10 +123,12 @@ def all_plots(columns):
         for plot in plots(own):
             known = frames.setdefault((plot.section, plot.title, plot.unit), plot)
             known.columns += [name for name in plot.columns if name not in known.columns]
+
     def is_constant(plot):
         return all(np.ptp(own[name].values) == 0. for own in columns for name in plot.columns if name in own)
-    constant = {section: [name for plot in frames.values() if plot.section == section and is_constant(plot) for name in plot.columns]
-                for section in SECTIONS}
+
+    constant = {section: [name for plot in frames.values() if plot.section == section and is_constant(plot)
+                          for name in plot.columns] for section in SECTIONS}
     return [plot for plot in frames.values() if not is_constant(plot)], constant
 
 
@@ -130,15 +136,19 @@ def sweep(runs, columns):
     """Values of the runs over the entries in which they differ; None for a single run."""
     if len(runs) == 1:
         return None
-    parameters = [{"name": path, "values": [run.case.get(path) for run in runs]} for path in differing([run.case for run in runs])]
+    parameters = [{"name": path, "values": [run.case.get(path) for run in runs]}
+                  for path in differing([run.case for run in runs])]
     # Entries that are numbers, and other ones in every run, first.
-    parameters.sort(key=lambda parameter: (not all(is_number(value) for value in parameter["values"]), -len(set(parameter["values"]))))
+    parameters.sort(key=lambda parameter: (not all(is_number(value) for value in parameter["values"]),
+                                           -len(set(parameter["values"]))))
     parameters.append({"name": "run", "values": [run.name for run in runs]})
     found = [measures(run, own) for run, own in zip(runs, columns)]
     keys = dict.fromkeys(key for values in found for key in values)
     finite = lambda value: None if value is None or not np.isfinite(value) else float(value)  # noqa: E731
-    listed = [{"name": name, "unit": unit, "values": [finite(values.get((name, unit))) for values in found]} for name, unit in keys]
-    first = next((i for i, measure in enumerate(listed) if measure["unit"] == "m" and measure["name"].endswith("at the end")), 0)
+    listed = [{"name": name, "unit": unit, "values": [finite(values.get((name, unit))) for values in found]}
+              for name, unit in keys]
+    first = next((i for i, measure in enumerate(listed) if measure["unit"] == "m"
+                  and measure["name"].endswith("at the end")), 0)
     return {"parameters": parameters, "measures": listed, "first": first}
 
 
@@ -154,40 +164,50 @@ def is_number(text):
 
 def page(runs, columns, frames, constant, data, stored, arguments):
     title = arguments.title or ", ".join(run.name for run in runs)
-    blocks = "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content in stored.items())
+    blocks = "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
+                       in stored.items())
     numbers = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
     fill = {
-        "title": escape(title), "subtitle": escape(subtitle(runs)), "style": (HERE / "report.css").read_text(encoding="utf-8"),
-        "overview": report_sections.overview(runs, columns), "sweep": sweep_html(data["sweep"]), "flows": flows_html(runs),
-        "sketches": sketches_html(runs), "materials": report_sections.materials(runs), "parameters": report_sections.parameters(runs),
-        **{f"{name}_frames": frames_html(frames, name) + report_sections.constants(columns, constant[name]) for name in SECTIONS},
-        "forces": report_sections.forces(runs, columns, arguments.window), "accounts": report_sections.accounts(runs, columns),
+        "title": escape(title), "subtitle": escape(subtitle(runs)),
+        "style": (HERE / "report.css").read_text(encoding="utf-8"),
+        "overview": report_sections.overview(runs, columns), "sweep": sweep_html(data["sweep"]),
+        "flows": flows_html(runs),
+        "sketches": sketches_html(runs), "materials": report_sections.materials(runs),
+        "parameters": report_sections.parameters(runs),
+        **{f"{name}_frames": frames_html(frames, name) + report_sections.constants(columns, constant[name]) for name
+           in SECTIONS},
+        "forces": report_sections.forces(runs, columns, arguments.window),
+        "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
         "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
-        "blocks": blocks, "data": numbers, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name in SCRIPTS),
+        "blocks": blocks, "data": numbers, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name
+                                                                in SCRIPTS),
     }
     parts = (HERE / "report.html").read_text(encoding="utf-8").split("{{")
     return parts[0] + "".join(fill[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
 
 
 def subtitle(runs):
+    kind = "plane strain" if runs[0].dimension == 2 else "in space"
     if len(runs) > 1:
-        return f"{len(runs)} runs {'in the plane' if runs[0].dimension == 2 else 'in space'}"
-    run = runs[0]
-    return f"{run.state()} · {'plane strain' if run.dimension == 2 else 'in space'} · mesh size {short(run.case.number('Mesh size'))} m"
+        return f"{len(runs)} runs, {kind}"
+    return f"{runs[0].state()} · {kind} · mesh size {short(runs[0].case.number('Mesh size'))} m"
 
 
 def sweep_html(sweep_data):
     if sweep_data is None:
         return ""
-    return ('<section id="comparison"><h2>Comparison</h2><div class="controls"><label>Value <select id="sweep-measure"></select></label>'
-            '<label>over <select id="sweep-parameter"></select></label></div><div id="sweep" class="frame wide"></div></section>')
+    return ('<section id="comparison"><h2>Comparison</h2><div class="controls">'
+            '<label>Value <select id="sweep-measure"></select></label>'
+            '<label>over <select id="sweep-parameter"></select></label></div>'
+            '<div id="sweep" class="frame wide"></div></section>')
 
 
 def flows_html(runs):
     return "".join(
         '<figure class="flow">' + (f"<figcaption>{escape(run.name)}</figcaption>" if len(runs) > 1 else "")
-        + f'<div id="flow-{r}"></div><p class="readout" id="readout-{r}">&nbsp;</p></figure>' for r, run in enumerate(runs))
+        + f'<div id="flow-{r}"></div><p class="readout" id="readout-{r}">&nbsp;</p></figure>'
+        for r, run in enumerate(runs))
 
 
 def sketches_html(runs):
@@ -200,7 +220,8 @@ def sketches_html(runs):
         seen.setdefault(key, []).append(r)
     for numbers in seen.values():
         caption = ", ".join(runs[r].name for r in numbers) if len(seen) > 1 else ""
-        parts.append(f'<figure class="flow"><figcaption>{escape(caption)}</figcaption><div class="sketch" data-run="{numbers[0]}"></div></figure>')
+        parts.append(f'<figure class="flow"><figcaption>{escape(caption)}</figcaption>'
+                     f'<div class="sketch" data-run="{numbers[0]}"></div></figure>')
     return "".join(parts)
 
 

@@ -34,7 +34,9 @@ def overview(runs, columns):
     def peak(stem):
         def text(_, own):
             vector = [c.values for c in own.values() if c.stem == stem]
-            return f"{number(np.linalg.norm(np.nan_to_num(vector), axis=0).max(), 3)} {unit_of(own, stem)}" if vector else ""
+            if not vector:
+                return ""
+            return f"{number(np.linalg.norm(np.nan_to_num(vector), axis=0).max(), 3)} {unit_of(own, stem)}"
         return text
 
     add("State", lambda run, _: run.state())
@@ -48,12 +50,15 @@ def overview(runs, columns):
                               and not c.stem.endswith("support force")):
         add(f"Largest {stem}", peak(stem))
     add("Change of volume", lambda run, own: volume_change(own))
-    add("Steps repeated", lambda run, _: "" if column(run, "Rejected steps") is None else whole(column(run, "Rejected steps")[-1]))
-    add("Wall time", lambda run, _: "" if column(run, "Wall time (s)") is None else seconds(column(run, "Wall time (s)")[-1]))
+    add("Steps repeated", lambda run, _: "" if column(run, "Rejected steps") is None
+        else whole(column(run, "Rejected steps")[-1]))
+    add("Wall time", lambda run, _: "" if column(run, "Wall time (s)") is None
+        else seconds(column(run, "Wall time (s)")[-1]))
     add("Warnings", lambda run, _: whole(len(run.log.warnings)))
     if len(runs) > 1:
         return table(["", *(run.name for run in runs)], rows, kind="facts")
-    return '<dl class="facts">' + "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(text)}</dd></div>" for what, text in rows) + "</dl>"
+    return '<dl class="facts">' + "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(text)}</dd></div>" for what, text
+                                          in rows) + "</dl>"
 
 
 def step_sizes(run, _):
@@ -80,10 +85,13 @@ def materials(runs):
         rows = []
         for kind, word in (("Fluids", "fluid"), ("Boundaries", "boundary"), ("Solids", "solid")):
             for name in run.case.names(kind):
-                entries = [f"{entry} {value}{' ' + unit if unit else ''}" for entry, value, unit in run.case.law_entries(kind, name)]
-                rows.append((name, word, run.case.get(f"{kind}/{name}/Shape"), run.case.law(kind, name), "; ".join(entries)))
+                entries = [f"{entry} {value}{' ' + unit if unit else ''}" for entry, value, unit
+                           in run.case.law_entries(kind, name)]
+                rows.append((name, word, run.case.get(f"{kind}/{name}/Shape"), run.case.law(kind, name),
+                             "; ".join(entries)))
         tables.setdefault(tuple(rows), []).append(run.name)
-    return "".join(table(["name", "", "shape", "law", "entries of the law"], rows, caption=", ".join(names) if len(tables) > 1 else "",
+    return "".join(table(["name", "", "shape", "law", "entries of the law"], rows, caption=", ".join(names)
+                         if len(tables) > 1 else "",
                          kind="materials") for rows, names in tables.items())
 
 
@@ -98,13 +106,16 @@ def parameters(runs):
         section, _, name = path.rpartition("/")
         entries = [run.case.entries.get(path) for run in runs]
         if section != last:
-            rows.append([Html(f"<b>{escape(section.replace('/', ' / '))}</b>" if section else "<b>Run</b>"), *[""] * (len(runs) + 1)])
+            rows.append([Html(f"<b>{escape(section.replace('/', ' / '))}</b>" if section else "<b>Run</b>"), *[""]
+                         * (len(runs) + 1)])
             last = section
         known = next(entry for entry in entries if entry)
         label = Html(f'<span title="{escape(known.documentation)}">{escape(name)}</span>')
         texts = [shortened(entry.value if entry else "–") for entry in entries]
-        rows.append([label, *(Html(f'<mark>{text}</mark>') if path in marked else text for text in texts), shortened(known.default)])
-    return table(["entry", *(["value"] if len(runs) == 1 else [run.name for run in runs]), "default"], rows, kind="parameters")
+        rows.append([label, *(Html(f'<mark>{text}</mark>') if path in marked else text for text in texts),
+                     shortened(known.default)])
+    return table(["entry", *(["value"] if len(runs) == 1 else [run.name for run in runs]), "default"], rows,
+                 kind="parameters")
 
 
 def shortened(text, longest=160):
@@ -121,10 +132,13 @@ def forces(runs, columns, window):
         unit, found = force_rows(run, own, window)
         for row in found:
             mean = row["window"]
-            rows.append([row["force"] if row["component"] == found[0]["component"] else "", row["component"], number(row["peak"]), number(row["time"]),
-                         *((number(mean[0]), number(mean[1])) if mean else ("–", "–")), number(row["mean"]), number(row["impulse"])])
+            rows.append([row["force"] if row["component"] == found[0]["component"] else "", row["component"],
+                         number(row["peak"]), number(row["time"]),
+                         *((number(mean[0]), number(mean[1])) if mean else ("–", "–")), number(row["mean"]),
+                         number(row["impulse"])])
         if rows:
-            head = ["force", "", f"peak ({unit})", "at (s)", f"largest mean over {short(window)} s ({unit})", "until (s)", f"mean ({unit})",
+            head = ["force", "", f"peak ({unit})", "at (s)", f"largest mean over {short(window)} s ({unit})",
+                    "until (s)", f"mean ({unit})",
                     f"impulse ({unit.replace('N', 'N s', 1)})"]
             parts.append(table(head, rows, range(2, 8), run.name if len(runs) > 1 else ""))
     return "".join(parts)
@@ -147,7 +161,8 @@ def volume_tables(columns):
     unit, rows = volume_account(columns)
     if not rows:
         return []
-    shown = [[rows[0][0], number(rows[0][1], 5), ""], *([what, signed(value), percent(share)] for what, value, share in rows[1:-1]),
+    shown = [[rows[0][0], number(rows[0][1], 5), ""], *([what, signed(value), percent(share)] for what, value, share
+                                                        in rows[1:-1]),
              [rows[-1][0], number(rows[-1][1], 5), percent(rows[-1][2] - 1.)]]
     return [table(["fluid", unit, "of the initial volume"], shown, (1, 2), "Volume")]
 
@@ -165,7 +180,8 @@ def energy_tables(columns):
 def momentum_tables(columns):
     unit, rows = momentum_account(columns)
     shown = [[component, number(largest), number(last), signed(change)] for component, largest, last, change in rows]
-    return [table([unit, "largest", "at the end", "by remeshing"], shown, (1, 2, 3), "Momentum of the fluid")] if shown else []
+    return [table([unit, "largest", "at the end", "by remeshing"], shown, (1, 2, 3),
+                  "Momentum of the fluid")] if shown else []
 
 
 # -------------------------------------------------------------------------------------------------------- numbers
@@ -176,7 +192,8 @@ def constants(columns, names):
     texts = []
     for name in names:
         own = [by_name[name] for by_name in columns if name in by_name]
-        values = dict.fromkeys(short(column.values[0], 6) + (f" {column.unit}" if column.unit else "") for column in own)
+        values = dict.fromkeys(short(column.values[0], 6) + (f" {column.unit}" if column.unit else "") for column
+                               in own)
         texts.append(f"{own[0].label} {', '.join(values)}")
     return f'<p class="note">Constant: {escape("; ".join(texts))}.</p>' if texts else ""
 
@@ -185,7 +202,8 @@ def constants(columns, names):
 def numerics(runs):
     head, rows = ["", *(run.name for run in runs)], []
     for what, name, summary in (("Nonlinear iterations a step, mean", "Nonlinear iterations", np.mean),
-                                ("… largest", "Nonlinear iterations", np.max), ("… all", "Nonlinear iterations", np.sum),
+                                ("… largest", "Nonlinear iterations", np.max),
+                                ("… all", "Nonlinear iterations", np.sum),
                                 ("Linear iterations a step, mean", "Linear iterations", np.mean),
                                 ("Steps repeated", "Rejected steps", lambda values: values[-1])):
         values = [column(run, name) for run in runs]
@@ -196,7 +214,8 @@ def numerics(runs):
     phases = dict.fromkeys(phase for run in runs for phase in run.log.phases)
     if phases:
         sums = [sum(run.log.phases.values()) for run in runs]
-        rows = [[phase, *(phase_cell(run.log.phases.get(phase), total) for run, total in zip(runs, sums))] for phase in phases]
+        rows = [[phase, *(phase_cell(run.log.phases.get(phase), total) for run, total in zip(runs, sums))] for phase
+                in phases]
         rows.append(["All", *(phase_cell(total or None, 0.) for total in sums)])
         tables.append(table(head if len(runs) > 1 else ["", ""], rows, range(1, 1 + len(runs)), "Wall time by phase"))
     return '<div class="tables">' + "".join(tables) + "</div>"
@@ -223,7 +242,8 @@ def messages(runs):
             texts.append(f"<p>Resumed {log.n_resumed} time{'s' if log.n_resumed > 1 else ''} from a checkpoint.</p>")
         texts.append(listed("Warnings", log.warnings) if log.warnings else "<p>No warnings.</p>")
         if log.repeated:
-            texts.append(details(f"Steps that were repeated with half the length: {len(log.repeated)}", listed("", log.repeated)))
+            texts.append(details(f"Steps that were repeated with half the length: {len(log.repeated)}",
+                                 listed("", log.repeated)))
         parts.append((f"<h4>{escape(run.name)}</h4>" if len(runs) > 1 else "") + "".join(texts))
     return "".join(parts)
 

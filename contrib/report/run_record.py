@@ -80,7 +80,8 @@ def read_runs(arguments):
         run.name = run.name or (folder if folders.count(folder) == 1 else str(run.directory))
     for i, run in enumerate(runs):
         if run.name in [other.name for other in runs[:i]]:
-            raise OutputError(f"{run.directory}: two runs are called '{run.name}'; allowed: different names, as OUTPUT=NAME")
+            raise OutputError(f"{run.directory}: two runs are called '{run.name}'; allowed: different names, as "
+                              "OUTPUT=NAME")
     return runs
 
 

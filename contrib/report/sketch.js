@@ -7,16 +7,22 @@ const LABEL_COLOURS = {fluid: "#1f4e79", boundary: "#333333", solid: "#7a3e12", 
 async function drawSketch(div, run, fields)
 {
   const snapshot = await readSnapshot(run, 0, fields);
-  return run.flow.lower.length === 2 ? drawPlaneSketch(div, run, snapshot) : drawSpaceSketch(div, run, snapshot);
+  const draw = run.flow.lower.length === 2 ? drawPlaneSketch : drawSpaceSketch;
+  let busy = draw(div, run, snapshot);
+  whenResized(div, () => busy = busy.then(() => draw(div, run, snapshot)));
+  return busy;
 }
 
 async function drawPlaneSketch(div, run, snapshot)
 {
-  const layout = planeLayout(run.flow.box, div.clientWidth), points = run.labels.filter(label => label.kind === "point");
-  const area = (surface, colour, line) => ({type: "scatter", mode: "lines", ...outlineOf(surface), fill: "toself", fillcolor: colour,
+  const layout = planeLayout(run.flow.box, div.clientWidth),
+    points = run.labels.filter(label => label.kind === "point");
+  const area = (surface, colour, line) => ({type: "scatter", mode: "lines", ...outlineOf(surface), fill: "toself",
+                                            fillcolor: colour,
                                             line: {color: line, width: 1, simplify: false}, hoverinfo: "skip"});
   const traces = [
-    ...(snapshot.fluid ? [area(snapshot.fluid, FLUID, "#4d7fa6")] : []), ...(snapshot.solid ? [area(snapshot.solid, SOLID, "#5a2d0c")] : []),
+    ...(snapshot.fluid ? [area(snapshot.fluid, FLUID, "#4d7fa6")] : []),
+    ...(snapshot.solid ? [area(snapshot.solid, SOLID, "#5a2d0c")] : []),
     ...wallTraces(run.walls),
     {type: "scatter", mode: "markers", x: points.map(p => p.at[0]), y: points.map(p => p.at[1]), hoverinfo: "skip",
      marker: {symbol: "x-thin", size: 9, line: {width: 2, color: LABEL_COLOURS.point}}},
@@ -24,10 +30,12 @@ async function drawPlaneSketch(div, run, snapshot)
   await Plotly.newPlot(div, traces, layout, {...PLANE_CONFIG, staticPlot: true});
   const {xaxis, yaxis} = div._fullLayout, labels = new LabelPlacer(xaxis._length, yaxis._length);
   const annotations = run.labels.map(label => {
-    const pixel = [xaxis.d2p(label.at[0]), yaxis.d2p(label.at[1])], [ax, ay] = labels.place(pixel, label.text, label.kind === "fluid");
+    const pixel = [xaxis.d2p(label.at[0]), yaxis.d2p(label.at[1])], [ax, ay] = labels.place(pixel, label.text,
+                                                                                            label.kind === "fluid");
     return {x: label.at[0], y: label.at[1], ax, ay, text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),
             showarrow: ax !== 0 || ay !== 0, arrowhead: 0, arrowwidth: 1,
-            arrowcolor: LABEL_COLOURS[label.kind], font: {size: 12, color: LABEL_COLOURS[label.kind]}, bgcolor: "rgba(255,255,255,0.78)", borderpad: 1};
+            arrowcolor: LABEL_COLOURS[label.kind], font: {size: 12, color: LABEL_COLOURS[label.kind]},
+            bgcolor: "rgba(255,255,255,0.78)", borderpad: 1};
   });
   await Plotly.relayout(div, {annotations: [...annotations, ...gravityArrow(run.gravity, labels)]});
 }
@@ -38,8 +46,10 @@ function gravityArrow(gravity, labels)
   if (size === 0)
     return [];
   const [gx, gy] = gravity.map(g => g / size * length), [px, py] = labels.freePlace(60, 70);
-  return [{xref: "x domain", yref: "y domain", x: (px + gx / 2) / labels.width, y: 1 - (py - gy / 2) / labels.height, ax: -gx, ay: gy,
-           text: "g", showarrow: true, arrowhead: 2, arrowwidth: 1.4, arrowcolor: "#555", font: {size: 12, color: "#555"}}];
+  return [{xref: "x domain", yref: "y domain", x: (px + gx / 2) / labels.width, y: 1 - (py - gy / 2) / labels.height,
+           ax: -gx, ay: gy,
+           text: "g", showarrow: true, arrowhead: 2, arrowwidth: 1.4, arrowcolor: "#555",
+           font: {size: 12, color: "#555"}}];
 }
 
 // Finds a place near a point for each label where none stands yet.
@@ -87,12 +97,15 @@ class LabelPlacer
 
 async function drawSpaceSketch(div, run, snapshot)
 {
-  const traces = [meshTrace(snapshot.fluid, {color: FLUID, hoverinfo: "skip"}), meshTrace(snapshot.solid, {color: SOLID, hoverinfo: "skip"}),
+  const traces = [meshTrace(snapshot.fluid, {color: FLUID, hoverinfo: "skip"}),
+                  meshTrace(snapshot.solid, {color: SOLID, hoverinfo: "skip"}),
                   ...spaceWallTraces(run.walls)];
   const layout = spaceLayout(run, div.clientWidth);
   layout.scene.annotations = run.labels.map((label, i) => ({
-    x: label.at[0], y: label.at[1], z: label.at[2], text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"), ax: (i % 2 ? -1 : 1) * (70 + 18 * i), ay: -44 - 26 * Math.floor(i / 2),
-    arrowhead: 0, arrowwidth: 1, arrowcolor: LABEL_COLOURS[label.kind], font: {size: 12, color: LABEL_COLOURS[label.kind]},
+    x: label.at[0], y: label.at[1], z: label.at[2], text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),
+      ax: (i % 2 ? -1 : 1) * (70 + 18 * i), ay: -44 - 26 * Math.floor(i / 2),
+    arrowhead: 0, arrowwidth: 1, arrowcolor: LABEL_COLOURS[label.kind],
+      font: {size: 12, color: LABEL_COLOURS[label.kind]},
     bgcolor: "rgba(255,255,255,0.78)", borderpad: 1,
   }));
   await Plotly.newPlot(div, traces, layout, SPACE_CONFIG);

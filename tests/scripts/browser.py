@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Chromium without a window, driven by its DevTools protocol over two pipes: open a page, evaluate JavaScript, take pictures,
-hear what goes wrong."""
+"""Chromium without a window, driven by its DevTools protocol over two pipes: open a page, evaluate JavaScript, take
+pictures, hear what goes wrong."""
 import base64
 import json
 import os
@@ -27,7 +27,8 @@ class Browser:
         # The browser reads from descriptor 3 and writes to descriptor 4.
         command = [self.program, *OPTIONS, f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(["bash", "-c", f'exec "$@" 3<&{theirs_in} 4>&{theirs_out}', "bash", *command],
-                                        pass_fds=(theirs_in, theirs_out), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                        pass_fds=(theirs_in, theirs_out), stdin=subprocess.DEVNULL,
+                                        stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL)
         os.close(theirs_in)
         os.close(theirs_out)
@@ -88,7 +89,8 @@ class Browser:
             self.errors.append(" ".join(str(part.get("value", part.get("description"))) for part in event["args"]))
         elif method == "Log.entryAdded" and event["entry"]["level"] == "error":
             self.errors.append(event["entry"]["text"])
-        elif method == "Network.requestWillBeSent" and not event["request"]["url"].startswith(("file:", "data:", "blob:", "about:")):
+        elif method == "Network.requestWillBeSent" and not event["request"]["url"].startswith(("file:", "data:",
+                                                                                               "blob:", "about:")):
             self.errors.append("request of " + event["request"]["url"][:200])
 
     def resize(self, width, height):
@@ -116,7 +118,8 @@ class Browser:
         self.call("Page.navigate", url="about:blank")
         self.call("Page.navigate", url="file://" + os.path.abspath(path) + fragment)
         is_ready = self.wait_for("!!document.body && ['ready', 'failed'].includes(document.body.dataset.state)")
-        return time.monotonic() - begin if is_ready and self.evaluate("document.body.dataset.state") == "ready" else None
+        is_ready = is_ready and self.evaluate("document.body.dataset.state") == "ready"
+        return time.monotonic() - begin if is_ready else None
 
     def screenshot(self, path):
         with open(path, "wb") as file:
