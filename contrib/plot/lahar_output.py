@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-VTK_TRIANGLE = 5
+VTK_TRIANGLE, VTK_TETRAHEDRON = 5, 10
 
 NUMPY_TYPES = {
     "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
@@ -28,12 +28,17 @@ class OutputError(Exception):
 
 @dataclass
 class Mesh:
-    """A snapshot in the plane. Neighbouring triangles do not share points: deal.II writes every cell's own corners."""
+    """A snapshot of triangles, in space of tetrahedra. Neighbouring cells do not share points: deal.II writes every cell's
+    own corners."""
 
-    points: np.ndarray     # (n points, 2), in m
-    triangles: np.ndarray  # (n triangles, 3), indices of points
+    points: np.ndarray  # (n points, 2 or 3), in m
+    cells: np.ndarray   # (n cells, 3 or 4), indices of points
     point_data: dict = field(default_factory=dict)
     cell_data: dict = field(default_factory=dict)
+
+    @property
+    def triangles(self):
+        return self.cells
 
     def at_points(self, name):
         """The field @p name by point."""
@@ -42,10 +47,10 @@ class Mesh:
         return self.point_data[name]
 
     def at_cells(self, name):
-        """The field @p name by triangle; the mean of a triangle's corners where it is stored by point."""
+        """The field @p name by cell; the mean of a cell's corners where it is stored by point."""
         if name in self.cell_data:
             return self.cell_data[name]
-        return self.at_points(name)[self.triangles].mean(axis=1)
+        return self.at_points(name)[self.cells].mean(axis=1)
 
     def has_field(self, name):
         return name in self.point_data or name in self.cell_data
@@ -138,28 +143,32 @@ def nearest_snapshots(snapshots, times):
     return [snapshots[i] for i in sorted(chosen)]
 
 
-def read_vtu(path):
-    """The mesh in a .vtu file, or in the pieces of a .pvtu file."""
+def read_vtu(path, dimension=2):
+    """The mesh in a .vtu file, or in the pieces of a .pvtu file: triangles in the plane; in space tetrahedra or triangles."""
     root = parse_xml(path)
-    if root.get("type") == "PUnstructuredGrid":
-        folder = pathlib.Path(path).parent
-        return join([read_vtu(folder / piece.get("Source")) for piece in root.iter("Piece")])
     try:
-        return join([read_piece(piece, DataReader(root)) for piece in root.iter("Piece")])
+        if root.get("type") == "PUnstructuredGrid":
+            folder = pathlib.Path(path).parent
+            return join([read_vtu(folder / piece.get("Source"), dimension) for piece in root.iter("Piece")])
+        return join([read_piece(piece, DataReader(root), dimension) for piece in root.iter("Piece")])
     except (ValueError, KeyError, AttributeError, TypeError, zlib.error) as error:
         raise OutputError(f"{path}: cannot read this VTU file ({error})") from None
 
 
-def read_piece(piece, reader):
+def read_piece(piece, reader, dimension):
     """The mesh in one <Piece> of a VTU file."""
     n_points = int(piece.get("NumberOfPoints"))
     n_cells = int(piece.get("NumberOfCells"))
-    cells = {entry.get("Name"): entry for entry in piece.find("Cells")}
-    if np.any(reader.read(cells["types"]) != VTK_TRIANGLE):
-        raise ValueError("only triangles can be drawn")
+    entries = {entry.get("Name"): entry for entry in piece.find("Cells")}
+    types = np.unique(reader.read(entries["types"]))
+    if np.any(types != VTK_TRIANGLE) and (dimension == 2 or np.any(types != VTK_TETRAHEDRON)):
+        raise ValueError("only triangles can be drawn" if dimension == 2 else "only tetrahedra or triangles can be drawn")
+    cells = reader.read(entries["connectivity"]).reshape(n_cells, 4 if VTK_TETRAHEDRON in types else 3)
+    if n_cells > 0 and not 0 <= cells.min() <= cells.max() < n_points:
+        raise ValueError("a cell has a point that is not there")
     return Mesh(
-        points=reader.read(piece.find("Points/DataArray")).reshape(n_points, 3)[:, :2].astype(float),
-        triangles=reader.read(cells["connectivity"]).reshape(n_cells, 3),
+        points=reader.read(piece.find("Points/DataArray")).reshape(n_points, 3)[:, :dimension].astype(float),
+        cells=cells,
         point_data=read_fields(piece.find("PointData"), n_points, reader),
         cell_data=read_fields(piece.find("CellData"), n_cells, reader),
     )
@@ -182,7 +191,7 @@ def join(meshes):
     first_points = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
     return Mesh(
         points=np.concatenate([mesh.points for mesh in meshes]),
-        triangles=np.concatenate([mesh.triangles + first for mesh, first in zip(meshes, first_points)]),
+        cells=np.concatenate([mesh.cells + first for mesh, first in zip(meshes, first_points)]),
         point_data=join_fields([mesh.point_data for mesh in meshes]),
         cell_data=join_fields([mesh.cell_data for mesh in meshes]),
     )

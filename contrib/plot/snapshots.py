@@ -21,6 +21,7 @@ from matplotlib.path import Path
 
 from figure_style import INK, WIDTH, plt, save, use_style
 from lahar_output import (OutputError, nearest_snapshots, parse_walls, read_pvd, read_vtu, read_walls, run_script)
+from mesh_geometry import faces_with_cells, usual_range
 
 LABELS = {
     "speed": "speed (m/s)", "velocity": "speed (m/s)", "pressure": "pressure (Pa)", "strain_rate": "strain rate (1/s)",
@@ -80,14 +81,6 @@ def color_scale(all_values, name, logarithmic):
     return Normalize(lower, upper if upper > lower else lower + 1)
 
 
-def usual_range(values):
-    """The range of the values without a few far ones, such as those of single drops."""
-    lower, upper = np.percentile(values, [0.2, 99.8])
-    tolerance = 0.25 * (upper - lower)
-    return (lower if values.min() < lower - tolerance else values.min(),
-            upper if values.max() > upper + tolerance else values.max())
-
-
 def extension(norm, all_values):
     """The ends of the colour bar beyond which values lie."""
     is_below = min(np.nanmin(values) for values in all_values) < norm.vmin
@@ -105,22 +98,6 @@ def view(meshes, walls, limits):
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     margin = 0.03 * max(x1 - x0, y1 - y0)
     return x0 - margin, x1 + margin, y0 - margin, y1 + margin
-
-
-def edges_with_cells(mesh):
-    """Every edge as its two points and the one or two triangles beside it (the second is -1 on the boundary)."""
-    size = np.ptp(mesh.points, axis=0).max()
-    _, vertices = np.unique(np.round(mesh.points / (1e-6 * size)).astype(np.int64), axis=0, return_inverse=True)
-    corners = np.concatenate([mesh.triangles[:, [0, 1]], mesh.triangles[:, [1, 2]], mesh.triangles[:, [2, 0]]])
-    cells = np.tile(np.arange(len(mesh.triangles)), 3)
-    _, first, edge = np.unique(np.sort(vertices.reshape(-1)[corners], axis=1), axis=0, return_index=True,
-                               return_inverse=True)
-    edge = edge.reshape(-1)
-    others = np.full(len(first), -1)
-    is_second = np.ones(len(edge), dtype=bool)
-    is_second[first] = False
-    others[edge[is_second]] = cells[is_second]
-    return corners[first], cells[first], others
 
 
 # ------------------------------------------------------------------------------------------------------- drawing
@@ -143,7 +120,7 @@ def draw_unyielded(axes, mesh):
         return False
     axes.add_patch(PathPatch(union(mesh.points[mesh.triangles[is_rigid]]), facecolor="white", alpha=0.45, linewidth=0,
                              rasterized=True))
-    corners, cells, others = edges_with_cells(mesh)
+    corners, cells, others = faces_with_cells(mesh)
     is_yield_surface = (others >= 0) & (is_rigid[cells] != is_rigid[others])
     axes.add_collection(LineCollection(mesh.points[corners[is_yield_surface]], color="white", linewidth=0.7))
     return True
@@ -160,7 +137,7 @@ def union(triangles):
 
 
 def draw_outline(axes, mesh):
-    corners, _, others = edges_with_cells(mesh)
+    corners, _, others = faces_with_cells(mesh)
     axes.add_collection(LineCollection(mesh.points[corners[others < 0]], color=INK, linewidth=0.5, capstyle="round"))
 
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sketch of the case: where fluids, boundaries and solids are at the start, with their names.
+"use strict";
+
+const LABEL_COLOURS = {fluid: "#1f4e79", boundary: "#333333", solid: "#7a3e12", point: "#8a1c5a"};
+
+async function drawSketch(div, run, fields)
+{
+  const snapshot = await readSnapshot(run, 0, fields);
+  const draw = run.flow.lower.length === 2 ? drawPlaneSketch : drawSpaceSketch;
+  let busy = draw(div, run, snapshot);
+  whenResized(div, () => busy = busy.then(() => draw(div, run, snapshot)));
+  return busy;
+}
+
+async function drawPlaneSketch(div, run, snapshot)
+{
+  const layout = planeLayout(run.flow.box, div.clientWidth),
+    points = run.labels.filter(label => label.kind === "point");
+  const area = (surface, colour, line) => ({type: "scatter", mode: "lines", ...outlineOf(surface), fill: "toself",
+                                            fillcolor: colour,
+                                            line: {color: line, width: 1, simplify: false}, hoverinfo: "skip"});
+  const traces = [
+    ...(snapshot.fluid ? [area(snapshot.fluid, FLUID, "#4d7fa6")] : []),
+    ...(snapshot.solid ? [area(snapshot.solid, SOLID, "#5a2d0c")] : []),
+    ...wallTraces(run.walls),
+    {type: "scatter", mode: "markers", x: points.map(p => p.at[0]), y: points.map(p => p.at[1]), hoverinfo: "skip",
+     marker: {symbol: "x-thin", size: 9, line: {width: 2, color: LABEL_COLOURS.point}}},
+  ];
+  await Plotly.newPlot(div, traces, layout, {...PLANE_CONFIG, staticPlot: true});
+  const {xaxis, yaxis} = div._fullLayout, labels = new LabelPlacer(xaxis._length, yaxis._length);
+  const annotations = run.labels.map(label => {
+    const pixel = [xaxis.d2p(label.at[0]), yaxis.d2p(label.at[1])], [ax, ay] = labels.place(pixel, label.text,
+                                                                                            label.kind === "fluid");
+    return {x: label.at[0], y: label.at[1], ax, ay, text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),
+            showarrow: ax !== 0 || ay !== 0, arrowhead: 0, arrowwidth: 1,
+            arrowcolor: LABEL_COLOURS[label.kind], font: {size: 12, color: LABEL_COLOURS[label.kind]},
+            bgcolor: "rgba(255,255,255,0.78)", borderpad: 1};
+  });
+  await Plotly.relayout(div, {annotations: [...annotations, ...gravityArrow(run.gravity, labels)]});
+}
+
+function gravityArrow(gravity, labels)
+{
+  const size = Math.hypot(...gravity), length = 34;
+  if (size === 0)
+    return [];
+  const [gx, gy] = gravity.map(g => g / size * length), [px, py] = labels.freePlace(60, 70);
+  return [{xref: "x domain", yref: "y domain", x: (px + gx / 2) / labels.width, y: 1 - (py - gy / 2) / labels.height,
+           ax: -gx, ay: gy,
+           text: "g", showarrow: true, arrowhead: 2, arrowwidth: 1.4, arrowcolor: "#555",
+           font: {size: 12, color: "#555"}}];
+}
+
+// Finds a place near a point for each label where none stands yet.
+class LabelPlacer
+{
+  constructor(width, height)
+  {
+    Object.assign(this, {width, height, taken: []});
+  }
+
+  isFree(box)
+  {
+    return box[0] >= 2 && box[1] >= 2 && box[2] <= this.width - 2 && box[3] <= this.height - 2 &&
+           !this.taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]);
+  }
+
+  place([x, y], text, mayStayThere)
+  {
+    const w = 3.6 * text.length + 6, h = 11;
+    const offsets = mayStayThere ? [[0, 0]] : [];
+    for (const distance of [30, 48, 72, 100, 140])
+      for (const angle of [60, 120, 90, 30, 150, 0, 180, -60, -120, -90])
+        offsets.push([distance * Math.cos(angle * Math.PI / 180), -distance * Math.sin(angle * Math.PI / 180)]);
+    for (const [ax, ay] of offsets) {
+      // The line ends at the label's nearest side.
+      const cx = x + ax, cy = y + ay, box = [cx - w, cy - h, cx + w, cy + h];
+      if (this.isFree(box)) {
+        this.taken.push(box);
+        return [ax, ay];
+      }
+    }
+    return [0, mayStayThere ? 0 : -30];
+  }
+
+  freePlace(w, h)
+  {
+    for (const [x, y] of [[0.92, 0.18], [0.5, 0.18], [0.92, 0.5], [0.08, 0.18], [0.3, 0.18], [0.7, 0.5]]) {
+      const place = [x * this.width, y * this.height];
+      if (this.isFree([place[0] - w / 2, place[1] - h / 2, place[0] + w / 2, place[1] + h / 2]))
+        return place;
+    }
+    return [0.92 * this.width, 0.2 * this.height];
+  }
+}
+
+async function drawSpaceSketch(div, run, snapshot)
+{
+  const traces = [meshTrace(snapshot.fluid, {color: FLUID, hoverinfo: "skip"}),
+                  meshTrace(snapshot.solid, {color: SOLID, hoverinfo: "skip"}),
+                  ...spaceWallTraces(run.walls)];
+  const layout = spaceLayout(run, div.clientWidth);
+  layout.scene.annotations = run.labels.map((label, i) => ({
+    x: label.at[0], y: label.at[1], z: label.at[2], text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),
+      ax: (i % 2 ? -1 : 1) * (70 + 18 * i), ay: -44 - 26 * Math.floor(i / 2),
+    arrowhead: 0, arrowwidth: 1, arrowcolor: LABEL_COLOURS[label.kind],
+      font: {size: 12, color: LABEL_COLOURS[label.kind]},
+    bgcolor: "rgba(255,255,255,0.78)", borderpad: 1,
+  }));
+  await Plotly.newPlot(div, traces, layout, SPACE_CONFIG);
+}
