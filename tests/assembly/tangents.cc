@@ -243,6 +243,13 @@ void test()
   check_jacobian<dim>("weight", *bingham, assembler(BodyForce<dim>()));
   check_jacobian<dim>("viscous stress, Bingham, newton", *bingham,
                       assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
+  const auto thinning = make_law("Herschel-Bulkley", {{"Density", "1.3"},
+                                                      {"Consistency", "0.7"},
+                                                      {"Flow index", "0.4"},
+                                                      {"Yield stress", "2"},
+                                                      {"Regularization parameter", "3"}});
+  check_jacobian<dim>("viscous stress, Herschel-Bulkley, newton", *thinning,
+                      assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
   for (const auto linearization :
        {ViscosityLinearization::picard, ViscosityLinearization::newton, ViscosityLinearization::primal_dual})
     check_jacobian<dim>("viscous stress, Newtonian", *newtonian,

@@ -73,6 +73,22 @@ def test_refused():
     wrong(FLUID + "Initial velocity", "1 / (x - x); 0", "finite")
     wrong("End time", "1", "Start time", more=set_entry("Start time", "2"))
 
+    # Fluid laws: numbers, and a table with a wrong line.
+    for law, entry, value in [("Herschel-Bulkley", "Flow index", "0"), ("Herschel-Bulkley", "Consistency", "-1"),
+                              ("power law", "Smallest strain rate", "0"), ("Casson", "Casson viscosity", "-1"),
+                              ("Carreau-Yasuda", "Exponent of the bend", "0"), ("Cross", "Exponent", "1.5"),
+                              ("table", "File", "")]:
+        wrong(FLUID + law + "/" + entry, value, more=set_entry(FLUID + "Law", law))
+
+    def write_table(directory):
+        with open(os.path.join(directory, "mud.csv"), "w") as file:
+            file.write("# strain rate, stress\n0, 12\n1, 13\n2, 12.5\n")
+
+    table = set_entry(FLUID + "Law", "table")
+    refused("a table whose stress falls", ["mud.csv:4:", "'2, 12.5'", "llowed", "larger"], *table,
+            *set_entry(FLUID + "table/File", "mud.csv"), prepare=write_table)
+    refused("a missing table", ["nowhere.csv", "does not exist"], *table, *set_entry(FLUID + "table/File", "nowhere.csv"))
+
     # A misspelt model: the valid names are listed.
     wrong(FLUID + "Law", "Binghamm", "Bingham", "Newtonian")
     wrong(FLUID + "Shape", "sphere", "box", "mesh", "polygon")

@@ -137,7 +137,7 @@ def test_refused(parent, lahar, plugin):
             ("a library that is no plugin", library("plain", "int one() { return 1; }\n"), ["plain.so", "is no plugin"]),
             ("a plugin for another version", other, ["other.so", "lahar_9_9_9_dealii_9_4_Release", "built for this program"]),
             ("a plugin that throws while it is loaded", throws, ["throws.so", "no such luck"]),
-            ("a second model of one name", f"{plugin} ; {twice}", ["twice.so", "'Herschel-Bulkley'"])):
+            ("a second model of one name", f"{plugin} ; {twice}", ["twice.so", "'Bercovier-Engelman'"])):
         result = call([lahar, "--check", "--set", "Plugins=" + plugins, case], parent)
         lines = result.stderr.strip().splitlines()
         check(f"{what}: status 2 and one line that says so",

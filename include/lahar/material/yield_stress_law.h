@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef lahar_material_yield_stress_law_h
+#define lahar_material_yield_stress_law_h
+
+#include <lahar/material/fluid_law.h>
+
+namespace Lahar
+{
+  /**
+   * A fluid with a yield stress τ0 regularised by Papanastasiou (J. Rheol. 31 (1987) 385): the plastic part is τ0 f with
+   *
+   *   f(γ̇) = (1 − exp(−m γ̇)) / γ̇,   f(0) = m,   f'(0) = −m²/2.
+   *
+   * f γ̇ grows from 0 to 1, so that stress grows with γ̇ wherever that of the viscous part does. As m → ∞, f γ̇ → 1
+   * wherever γ̇ > 0. A derived class gives the viscous part.
+   */
+  class YieldStressLaw : public FluidLaw
+  {
+  public:
+    double yield_stress() const override
+    {
+      return tau_0;
+    }
+
+    Value plastic_part(const double strain_rate) const override;
+
+  protected:
+    /// Declare `Yield stress`.
+    static void declare_yield_stress(Parameters &prm);
+
+    /// Declare `Regularization parameter`. @param unyielded viscosity of the unyielded fluid, for the documentation.
+    static void declare_regularization(Parameters &prm, const std::string &unyielded);
+
+    /// Read `Yield stress`. @throws InputError
+    void parse_yield_stress(const Parameters &prm);
+
+    /// Read `Regularization parameter`. @throws InputError
+    void parse_regularization(const Parameters &prm);
+
+    double tau_0 = 0.;
+
+  private:
+    double m = 0.;
+  };
+} // namespace Lahar
+
+#endif
