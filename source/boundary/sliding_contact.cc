@@ -16,7 +16,7 @@ namespace Lahar
     /// What sticks to another wall belongs to a face if it is nearer to its facet than this times its spacing.
     constexpr double contact_distance = 0.1;
 
-    /// The normal stress beyond the pressure changes by this part in an iteration: friction changes it in turn.
+    /// How far e comes in an iteration.
     constexpr double excess_part = 0.5;
 
     /// What is nearer to one than this is one.
@@ -82,14 +82,16 @@ namespace Lahar
 
   template <int dim>
   void SlidingContact<dim>::iterate(const Tensor<1, dim> &velocity, const double pressure,
-                                    const Tensor<1, dim> &reaction, SlidingState<dim> &state) const
+                                    const Tensor<1, dim> &reaction, const bool follows,
+                                    SlidingState<dim> &state) const
   {
     const Tensor<1, dim> P = force(velocity, pressure, state).multiplier;
     const bool slides      = P.norm() >= 1. - rounding;
     state.held             = slides && P * state.direction < 0.;
     state.direction        = slides && !state.held ? P : Tensor<1, dim>();
-    state.excess_stress += excess_part *
-                           (std::max(reaction * normal / area, 0.) + pressure - state.excess_stress);
+    if (follows)
+      state.excess_stress += excess_part *
+                             (std::max(reaction * normal / area, 0.) + pressure - state.excess_stress);
   }
 
 

@@ -10,6 +10,9 @@ namespace Lahar
   {
     constexpr double inertia_factor   = 20.;
     constexpr double viscosity_factor = 5.;
+
+    /// In so many iterations of a step the normal stress follows the reaction.
+    constexpr unsigned int n_following = 6;
   } // namespace
 
 
@@ -20,6 +23,7 @@ namespace Lahar
                                         const FluidLaw &law, const double time_step,
                                         const NodePartition &partition)
   {
+    n_iterations = 0;
     contacts.clear();
     for (const SlidingContact<dim> &contact : found)
     {
@@ -60,8 +64,9 @@ namespace Lahar
                                      const std::vector<double> &pressures,
                                      const std::vector<Tensor<1, dim>> &reactions)
   {
+    const bool follows = n_iterations++ < n_following;
     for (Contact &contact : contacts)
-      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node],
+      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node], follows,
                          contact.state);
   }
 

@@ -116,7 +116,7 @@ void test_iteration()
                          slope          = inertia + along * (force.by_velocity * along);
             v -= residual / slope * along;
             settled = !state.held;
-            contact.iterate(v, 0., 6. * contact.normal, state);
+            contact.iterate(v, 0., 6. * contact.normal, true, state);
           }
           state.multiplier = contact.force(v, 0., state).multiplier;
         }

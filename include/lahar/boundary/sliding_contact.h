@@ -46,9 +46,9 @@ namespace Lahar
    * Coulomb's friction: Hüeber, Stadler & Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572–596.) Sliding that turns round
    * within an iteration has passed over sticking: in the next one the vertex is held, P = Y/τ_c without a limit.
    *
-   * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), with e = N + p
-   * halfway to that of the iteration before, so that at the end friction is τ_c of the whole reaction, viscous stress
-   * included.
+   * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), and e comes
+   * halfway to N + p in each of the first iterations of a step, so that friction is τ_c of the whole reaction, viscous
+   * stress included. Later on it stays: where friction turns its own normal stress round it would go to and fro.
    */
   template <int dim>
   struct SlidingContact
@@ -65,9 +65,9 @@ namespace Lahar
                             const SlidingState<dim> &state) const;
 
     /// What @p state becomes after an iteration that ended with this velocity and pressure, and with the boundary's
-    /// @p reaction on the vertex, N. λ stays.
+    /// @p reaction on the vertex, N. λ stays, and e unless it @p follows the reaction.
     void iterate(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
-                 SlidingState<dim> &state) const;
+                 const bool follows, SlidingState<dim> &state) const;
 
     /**
      * All contacts of a mesh at the start of a step, by ascending vertices.

@@ -62,7 +62,8 @@ namespace Lahar
     };
 
     std::vector<Contact> contacts; ///< of the nodes that this rank knows
-    bool is_any = false;
+    bool is_any               = false;
+    unsigned int n_iterations = 0; ///< of the step
   };
 } // namespace Lahar
 
