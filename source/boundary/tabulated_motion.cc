@@ -24,7 +24,10 @@ namespace Lahar
     {
       if (prm.get("File").empty())
         prm.throw_wrong_value("File", "the name of a table");
-      displacement = TimeTable(prm.get("File"), dim);
+      std::vector<std::string> columns = {"x (m)", "y (m)"};
+      if (dim == 3)
+        columns.emplace_back("z (m)");
+      displacement = TimeTable(prm.get("File"), columns);
     }
 
     RigidMotion<dim> at(const double time) const override

@@ -7,7 +7,6 @@
 #include <lahar/boundary/free_flight.h>
 #include <lahar/boundary/slip_condition.h>
 #include <lahar/utilities/factory.h>
-#include <lahar/utilities/time_table.h>
 
 #include <fstream>
 
@@ -76,7 +75,7 @@ void test_table()
 {
   const std::string name = "motion_table.csv";
   const auto write       = [&](const std::string &text) { std::ofstream(name) << text; };
-  write("# a gate\nt (s), x (m), y (m)\n0, 0, 0\n1, 0.5, -1\n\n3; 0.5; 1 # up again\n");
+  write("# a gate: t (s), x (m), y (m)\n0, 0, 0\n1, 0.5, -1\n\n3, 0.5, 1 # up again\n");
   const auto table = create<2>("table", {{"File", name}});
   check("table: linear between its times",
         (table->at(0.5)(Point<2>()) - Point<2>(0.25, -0.5)).norm() +
@@ -85,18 +84,21 @@ void test_table()
   check("table: constant before and after",
         table->at(-1.)(Point<2>()) == Point<2>() && table->at(9.)(Point<2>()) == Point<2>(0.5, 1.));
   for (const auto &[text, part] :
-       std::vector<std::pair<std::string, std::string>>{{"0, 0, 0\n1, 1\n",
-                                                         ":2: there are 2 numbers instead of 3"},
-                                                        {"0, 0, 0\n1, 1, one\n", ":2: 'one' is not a number"},
-                                                        {"0, 0, 0\n1, 0, 0\n1, 1, 0\n", ":3: the time 1.0"},
-                                                        {"t, x, y\nt, x, y\n", ":2: 't' is not a number"},
-                                                        {"t, x, y\n", ": there are no numbers"},
-                                                        {"", ": there are no numbers"}})
+       std::vector<std::pair<std::string, std::string>>{{"0, 0, 0\n1, 1\n", ":2: found '1, 1'"},
+                                                        {"0, 0, 0\n1, 1, one\n", ":2: found '1, 1, one'"},
+                                                        {"0, 0, 0\n1, 0, 0\n1, 1, 0\n",
+                                                         ":3: found '1, 1, 0'"},
+                                                        {"t, x, y\n0, 0, 0\n", ":1: found 't, x, y'"},
+                                                        {"# t, x, y\n", "has no line with numbers"}})
   {
     write(text);
-    check_throws<InputError>("table: " + part, {name + part, "llowed"}, [&] { TimeTable(name, 2); });
+    check_throws<InputError>("table: " + part, {name, part, "llowed"}, [&] {
+      create<2>("table", {{"File", name}});
+    });
   }
-  check_throws<InputError>("no table", {"nowhere.csv", "llowed"}, [] { TimeTable("nowhere.csv", 2); });
+  check_throws<InputError>("no table", {"nowhere.csv", "does not exist", "llowed"}, [] {
+    create<2>("table", {{"File", "nowhere.csv"}});
+  });
 }
 
 /// A floor that stands, and a wall that goes to the right and turns a little in a step of 0.1 s.

@@ -116,6 +116,23 @@ def test_refused():
     wrong(FLUID + "polygon/Corners", "", "three corners", more=set_entry(FLUID + "Shape", "polygon"))
     wrong(points, "0, 0", "two different points")
     wrong(points, "", "two different points")
+    # Boundaries that resist and move.
+    def model(kind, name):
+        return set_entry(WALLS + kind, name)
+
+    wrong(WALLS + "Motion", "sliding", "fixed", "rotation", "table", "translation")
+    wrong(WALLS + "translation/Displacement", "t", "2 functions", more=model("Motion", "translation"))
+    wrong(WALLS + "translation/Displacement", "x; 0", "time t", more=model("Motion", "translation"))
+    wrong(WALLS + "rotation/Angle", "t; t", "one function", more=model("Motion", "rotation"))
+    wrong(WALLS + "table/File", "", "name of a table", more=model("Motion", "table"))
+    refused("a boundary that jumps at the start", ["Boundary 'walls' is displaced by (0.1 0) m at 'Start time'",
+            "'Boundaries/walls/Motion'", "Allowed"], *model("Motion", "translation"),
+            *set_entry(WALLS + "translation/Displacement", "0.1; 0"))
+    refused("a table that is not there", ["nowhere.csv", "does not exist", "Allowed"], *model("Motion", "table"),
+            *set_entry(WALLS + "table/File", "nowhere.csv"))
+    wrong(WALLS + "Coulomb/Friction coefficient", "-0.1", more=model("Law", "Coulomb"))
+    wrong(WALLS + "Navier slip/Slip coefficient", "0", more=model("Law", "Navier slip"))
+    wrong(WALLS + "yield slip/Sliding yield stress", "0", more=model("Law", "yield slip"))
     for entry, value in [("convex", "0, 0, 0 : 1, 0, 0 : 0, 1, 0 : 1, 1, 0"), ("convex", "")]:
         refused("%s = %s" % (entry, value), ["'%s%s/Corners'" % (FLUID, entry), value, "llowed"], *set_entry(
             FLUID + "Shape", entry), *set_entry(FLUID + entry + "/Corners", value), text=in_space)

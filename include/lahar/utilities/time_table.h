@@ -9,18 +9,17 @@
 namespace Lahar
 {
   /**
-   * Values over time from a file: lines of a time (s) and a fixed number of values, separated by commas, semicolons or
-   * white space. Lines that begin with '#', empty ones and one headline before the numbers do not count. Between the
-   * times values are linear; before the first and after the last they stay.
+   * Values over time from a NumberTable, whose rows are a time (s) and some values. Between the times values are linear;
+   * before the first and after the last they stay.
    */
   class TimeTable
   {
   public:
     TimeTable() = default;
 
-    /// @throws InputError with file and line for what is no number, for too few or too many in a line, for times that do
-    /// not ascend and for a file without numbers.
-    TimeTable(const std::string &file_name, const unsigned int n_values);
+    /// @param columns what the values are, for messages. @throws InputError as a NumberTable, and for times that do not
+    /// ascend.
+    TimeTable(const std::string &file_name, const std::vector<std::string> &columns);
 
     /// The values at @p time (s).
     std::vector<double> operator()(const double time) const;
