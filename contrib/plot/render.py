@@ -251,7 +251,9 @@ def main():
     solids = {time: read_surface(vtk, path, cut, 20.) for time, path in read_pvd(arguments.output / "solution.pvd", 1)
               if time in [time for time, _ in chosen]}
     scene = Scene(vtk, surfaces + list(solids.values()), arguments)
-    walls = read_walls(vtk, arguments.output / "walls.vtu", scene)
+    # Walls that move have a file for each snapshot.
+    moving = dict(read_pvd(arguments.output / "solution.pvd", 2))
+    walls = {time: read_walls(vtk, moving.get(time, arguments.output / "walls.vtu"), scene) for time, _ in chosen}
 
     n_columns = arguments.columns or len(chosen)
     n_rows = -(-len(chosen) // n_columns)
@@ -269,8 +271,8 @@ def main():
         if time in solids:
             renderer.AddActor(scene.solid(solids[time]))
         renderer.AddActor(scene.floor_plane())
-        if walls is not None:
-            renderer.AddActor(scene.walls(walls))
+        if walls[time] is not None:
+            renderer.AddActor(scene.walls(walls[time]))
         renderer.AddActor2D(scene.label(f"t = {time:g} s", (12, height - 32)))
         if i == len(chosen) - 1:
             renderer.AddActor2D(scene.colour_bar())

@@ -62,6 +62,11 @@ namespace Lahar
         cloud.velocity[i]                 = step.velocity_at_end(boundary, cloud.position[i]);
         cloud.acceleration[i]             = Tensor<1, dim>();
         cloud.algorithmic_acceleration[i] = Tensor<1, dim>();
+        // A wall that moves takes it off others along which it slides.
+        if (step.moves(boundary))
+          for (const int facet : cloud.slip_facets[i])
+            if (facet != ParticleCloud<dim>::no_facet)
+              cloud.position[i] -= walls.signed_distance(facet, cloud.position[i]) * walls.normal(facet);
       }
     }
   }

@@ -13,7 +13,7 @@ namespace Lahar
     /// A face belongs to a facet if the cosine of the angle between their normals exceeds this.
     constexpr double least_cosine = 0.7;
 
-    /// What sticks to another wall belongs to a face if it is nearer to its facet than this times its spacing.
+    /// What touches another boundary belongs to a face if it is nearer to its facet than this times its spacing.
     constexpr double contact_distance = 0.1;
 
     /// How far e comes in an iteration.
@@ -153,7 +153,7 @@ namespace Lahar
           const unsigned int i = mesh.particle(vertices[k]);
           all_touch            = all_touch &&
                       (facets[k] != ParticleCloud<dim>::no_facet ||
-                       (cloud.kind[i] != ParticleKind::fluid &&
+                       ((cloud.kind[i] != ParticleKind::fluid || cloud.on_slip_wall(i)) &&
                         std::abs(walls.signed_distance(some_facet, step.carried(boundary, corners[k]))) <
                           contact_distance * cloud.spacing[i]));
         }

@@ -45,8 +45,9 @@ namespace Lahar
   template <int dim>
   std::optional<typename SolidCollision<dim>::Place>
   SolidCollision<dim>::find(const SolidMesh<dim> &mesh, const std::vector<Point<dim>> &old_position,
-                            const std::vector<Point<dim>> &position, const Walls<dim> &walls)
+                            const std::vector<Point<dim>> &position, const WallStep<dim> &step)
   {
+    const Walls<dim> &walls = step.end();
     std::vector<WallFacet<dim>> facets;
     double size = 0.;
     for (const auto &nodes : mesh.contour())
@@ -105,7 +106,7 @@ namespace Lahar
             return Place{meeting(contour, f, a, b), mesh.body_of_node(mesh.contour()[f][0]), wall, 0};
       }
     for (unsigned int i = 0; i < mesh.n_contour_nodes(); ++i)
-      for (const unsigned int wall : walls.crossed(old_position[i], position[i], depth, 0.))
+      for (const unsigned int wall : step.crossed(old_position[i], position[i], depth, 0.))
         return Place{meeting(walls, wall, old_position[i], position[i]), mesh.body_of_node(i), wall, 0};
     return {};
   }

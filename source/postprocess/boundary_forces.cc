@@ -5,6 +5,8 @@
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   /**
@@ -12,7 +14,8 @@ namespace Lahar
    * discrete momentum equation at its particles and at those that slide on it, see TimeIntegration::mean_force().
    *
    * A particle that boundaries share belongs to the first of them. Where a particle slides along facets of several
-   * boundaries, each has the part of the reaction along its normal, and the first one what is along the edge.
+   * boundaries, each has the part of the reaction along its normal, and the first boundary of the case what is along
+   * the edge.
    */
   template <int dim>
   class BoundaryForces : public Postprocessor<dim>
@@ -67,7 +70,10 @@ namespace Lahar
       forces[snapshot.walls.facets()[facets[k]].boundary] += part;
       rest -= part;
     }
-    forces[snapshot.walls.facets()[facets[0]].boundary] += rest;
+    unsigned int first = snapshot.walls.facets()[facets[0]].boundary;
+    for (const unsigned int facet : facets)
+      first = std::min(first, snapshot.walls.facets()[facet].boundary);
+    forces[first] += rest;
   }
 
 

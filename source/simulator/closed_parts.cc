@@ -18,6 +18,9 @@ namespace Lahar
     /// Area vectors cancel at nodes inside to this part of their lengths.
     constexpr double rounding = 1e-6;
 
+    /// Normals turn by less than this in a step, rad.
+    constexpr double turning = 0.1;
+
     /// A closed part that changes by more than this part of its volume cannot do so.
     constexpr double largest_change = 1e-6;
 
@@ -76,10 +79,12 @@ namespace Lahar
       Tensor<1, dim> free_part = area[i];
       for (unsigned int a = 0; a < constraints[i].n_fixed; ++a)
         free_part -= (free_part * constraints[i].frame[a]) * constraints[i].frame[a];
-      gives_way[i] = (constraints[i].n_fixed < dim && free_part.norm() > rounding * size[i]) ||
+      // The frames of walls that move have their normals at the end of the step.
+      const double tolerance = constraints[i].moves ? turning : rounding;
+      gives_way[i]           = (constraints[i].n_fixed < dim && free_part.norm() > tolerance * size[i]) ||
                          constraints[i].fixed_pressure
-                       ? 1.
-                       : 0.;
+                                 ? 1.
+                                 : 0.;
     }
     partition.update(gives_way);
     spread(parts, partition, gives_way);

@@ -30,6 +30,8 @@ namespace Lahar
     solids.append_particles(input.mesh_size, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     input.geometry.create(input.mesh_size, contour, particles, walls);
+    if (input.geometry.any_boundary_moves())
+      walls = input.geometry.walls_at(input.run.start_time); // to the last bit where a resumed run has them
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();

@@ -112,7 +112,8 @@ namespace Lahar
         std::ostringstream reason;
         reason << "no convergence, the relative increments are " << report.velocity_increment
                << " (velocity) and " << report.pressure_increment << " (pressure), largest at ("
-               << problem.place_of_largest_increment() << ") m, the tolerance is " << tolerance;
+               << problem.place_of_largest_increment() << ") m, the tolerance is " << tolerance
+               << (report.is_settled ? "" : "; friction changes from iteration to iteration");
         throw RunError(reason.str());
       }
       report.n_held = problem.n_held();

@@ -172,7 +172,7 @@ namespace Lahar
     ++counters.steps;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
-    stop_at_collision(old_position);
+    stop_at_collision(old_position, *wall_step);
   }
 
 
@@ -285,9 +285,11 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::stop_at_collision(const std::vector<Point<dim>> &old_position)
+  void Simulator<dim>::stop_at_collision(const std::vector<Point<dim>> &old_position,
+                                         const WallStep<dim> &wall_step)
   {
-    const auto place = SolidCollision<dim>::find(solids.mesh(), old_position, solids.state().position, walls);
+    const auto place = SolidCollision<dim>::find(solids.mesh(), old_position, solids.state().position,
+                                                 wall_step);
     if (!place)
       return;
     output.write_snapshot(snapshot());

@@ -3,6 +3,8 @@
 #include <lahar/simulator/sliding_friction.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace Lahar
 {
@@ -13,6 +15,9 @@ namespace Lahar
 
     /// In so many iterations of a step the normal stress follows the reaction.
     constexpr unsigned int n_following = 6;
+
+    /// Normal stresses are found if their last change, as a force, is below this part of it.
+    constexpr double largest_change = 0.02;
   } // namespace
 
 
@@ -25,6 +30,11 @@ namespace Lahar
   {
     n_iterations = 0;
     contacts.clear();
+    std::map<unsigned int, const SlidingContact<dim> *> largest; // by vertex
+    for (const SlidingContact<dim> &contact : found)
+      if (const auto [place, is_new] = largest.emplace(contact.vertex, &contact);
+          !is_new && contact.area > place->second->area)
+        place->second = &contact;
     for (const SlidingContact<dim> &contact : found)
     {
       const unsigned int node = partition.local(contact.vertex);
@@ -33,13 +43,19 @@ namespace Lahar
       const unsigned int particle = mesh.particle(contact.vertex);
       const double h              = cloud.spacing[particle];
       SlidingState<dim> state;
-      state.multiplier    = cloud.friction[particle];
-      state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
-                            cloud.pressure[particle];
-      contacts.push_back({contact, node, state});
+      // Along the edge of two boundaries that resist the particle has the multiplier of the larger one.
+      const bool is_main = largest.at(contact.vertex) == &contact;
+      if (is_main)
+        state.multiplier = cloud.friction[particle];
+      if (cloud.reaction[particle].norm() > 0.)
+        state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
+                              cloud.pressure[particle];
+      contacts.push_back({contact, node, state, node < partition.n_own(), is_main});
       contacts.back().at.stiffness = inertia_factor * law.density() * h / time_step +
                                      viscosity_factor * law.viscous_part(1. / time_step).value / h;
     }
+    communicator = partition.communicator();
+    normal_force = change_of_force = 0.;
     is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, partition.communicator()) == 1U;
   }
 
@@ -65,9 +81,18 @@ namespace Lahar
                                      const std::vector<Tensor<1, dim>> &reactions)
   {
     const bool follows = n_iterations++ < n_following;
+    normal_force = change_of_force = 0.;
     for (Contact &contact : contacts)
-      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node], follows,
-                         contact.state);
+    {
+      const double old_excess = contact.state.excess_stress, pressure = pressures[contact.node];
+      contact.at.iterate(velocities[contact.node], pressure, reactions[contact.node], follows, contact.state);
+      const double N = std::max(contact.state.excess_stress - pressure, 0.);
+      if (contact.is_own && contact.at.law->resistance(N).threshold_derivative != 0.)
+      {
+        normal_force += contact.at.area * N;
+        change_of_force += contact.at.area * std::abs(contact.state.excess_stress - old_excess);
+      }
+    }
   }
 
 
@@ -75,8 +100,12 @@ namespace Lahar
   template <int dim>
   bool SlidingFriction<dim>::is_settled() const
   {
-    return std::none_of(contacts.begin(), contacts.end(),
-                        [](const Contact &contact) { return contact.state.held; });
+    const bool any_held  = std::any_of(contacts.begin(), contacts.end(),
+                                       [](const Contact &contact) { return contact.state.held; });
+    const double sums[3] = {any_held ? 1. : 0., normal_force, change_of_force};
+    double of_all[3];
+    Utilities::MPI::sum(ArrayView<const double>(sums, 3), communicator, ArrayView<double>(of_all, 3));
+    return of_all[0] == 0. && of_all[2] <= largest_change * of_all[1];
   }
 
 
@@ -89,8 +118,9 @@ namespace Lahar
     for (Tensor<1, dim> &multiplier : cloud.friction)
       multiplier = Tensor<1, dim>();
     for (const Contact &contact : contacts)
-      cloud.friction[mesh.particle(contact.at.vertex)] =
-        contact.at.force(velocities[contact.node], pressures[contact.node], contact.state).multiplier;
+      if (contact.is_main)
+        cloud.friction[mesh.particle(contact.at.vertex)] =
+          contact.at.force(velocities[contact.node], pressures[contact.node], contact.state).multiplier;
   }
 
 

@@ -21,7 +21,7 @@ namespace Lahar
 
     /// All names that the program gives to files, in the directory and in `checkpoint`.
     const std::string names = "parameters\\.prm|log|statistics|convergence|solution\\.pvd|"
-                              "solution-\\d+(\\.\\d+)?\\.p?vtu|solid-\\d+\\.vtu|walls\\.vtu|"
+                              "solution-\\d+(\\.\\d+)?\\.p?vtu|solid-\\d+\\.vtu|walls(-\\d+)?\\.vtu|"
                               "checkpoint/state|checkpoint/piece-\\d+-\\d+-of-\\d+";
 
     /// Where the open directory is now, by the system's word.

@@ -155,6 +155,8 @@ def test_overwrite(parent):
     for name in ("notes.txt", "snapshots.png", "solution-final.vtu", "statistics.old"):
         with open(os.path.join(case, "out", name), "w") as file:
             file.write("mine")
+    with open(os.path.join(case, "out", "walls-00042.vtu"), "w") as file:
+        file.write("of a run whose walls moved")
     leftover = os.path.join(case, "out", "checkpoint", "state.elsewhere-1.part")
     with open(leftover, "w") as file:
         file.write("part")

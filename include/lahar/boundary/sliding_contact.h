@@ -16,7 +16,7 @@ namespace Lahar
   struct SlidingState
   {
     Tensor<1, dim> multiplier;    ///< λ
-    double excess_stress = 0.;    ///< e = N + p of the iteration before, Pa
+    double excess_stress = 0.;    ///< e, Pa
     bool held            = false; ///< whether the vertex is held, whatever it takes
     Tensor<1, dim> direction;     ///< P of the iteration before if the vertex slid, else zero
   };
@@ -64,8 +64,8 @@ namespace Lahar
     SlidingForce<dim> force(const Tensor<1, dim> &velocity, const double pressure,
                             const SlidingState<dim> &state) const;
 
-    /// What @p state becomes after an iteration that ended with this velocity and pressure, and with the boundary's
-    /// @p reaction on the vertex, N. λ stays, and e unless it @p follows the reaction.
+    /// What @p state becomes after an iteration that ended with this velocity and began with this pressure and the
+    /// boundary's @p reaction on the vertex, N. λ stays, and e unless it @p follows the reaction.
     void iterate(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
                  const bool follows, SlidingState<dim> &state) const;
 

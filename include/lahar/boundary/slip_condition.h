@@ -13,11 +13,12 @@
 namespace Lahar
 {
   /**
-   * Free slip along walls: n·v is that of the wall for the particles that touch a slip wall, no shear traction.
+   * Sliding along walls: n·v is that of the wall for the particles that touch a slip wall. What resists their sliding is
+   * no matter of this class, see SlidingContact.
    *
    * A particle that passes through a slip facet, or comes nearer than a tenth of its spacing, is put on the facet and
-   * takes its normal velocity; from then on it slides, and stays in the facet's plane wherever that goes. Where two facets meet in a hollow corner it belongs to both. It
-   * leaves a facet only over its rim or when it is isolated.
+   * takes its normal velocity; from then on it slides, and stays in the facet's plane wherever that goes. Where two
+   * facets meet in a hollow corner it belongs to both. It leaves a facet only over its rim or when it is isolated.
    */
   template <int dim>
   class SlipCondition

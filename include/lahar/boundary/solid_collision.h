@@ -3,7 +3,7 @@
 #ifndef lahar_boundary_solid_collision_h
 #define lahar_boundary_solid_collision_h
 
-#include <lahar/geometry/walls.h>
+#include <lahar/boundary/wall_step.h>
 #include <lahar/solid/solid_mesh.h>
 
 #include <optional>
@@ -33,9 +33,10 @@ namespace Lahar
       unsigned int other_body = 0;
     };
 
-    /// The first place found; nothing where none is.
+    /// The first place found; nothing where none is. @param step the walls in the step that moved the nodes from
+    /// @p old_position to @p position.
     static std::optional<Place> find(const SolidMesh<dim> &mesh, const std::vector<Point<dim>> &old_position,
-                                     const std::vector<Point<dim>> &position, const Walls<dim> &walls);
+                                     const std::vector<Point<dim>> &position, const WallStep<dim> &step);
   };
 } // namespace Lahar
 

@@ -34,7 +34,7 @@ namespace Lahar
     /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it.
     std::vector<std::string> warnings(const double h) const;
 
-    std::string name, path; ///< path of its entries
+    std::string name, path; ///< the latter of the entry `Motion`
     std::unique_ptr<BoundaryShape<dim>> shape;
     std::unique_ptr<SurfaceLaw> law;
     std::unique_ptr<BoundaryMotion<dim>> motion;

@@ -20,12 +20,13 @@ namespace Lahar
     double pressure_increment      = 0.;    ///< ‖δp‖/‖p‖ of the last iteration
     double momentum_residual       = 0.;    ///< norm of the last assembled residual, N
     double mass_residual           = 0.;    ///< norm of the last assembled residual, m^dim/s
-    bool is_settled                = false; ///< see StepProblem
+    bool is_settled                = false; ///< see StepProblem::is_settled()
     std::vector<std::pair<double, double>> increments; ///< of velocity and pressure, by iteration
   };
 
   /**
-   * Solves the nonlinear problem of a step until ‖δv‖/‖v‖ and ‖δp‖/‖p‖ are below the tolerance, by Newton's method: all
+   * Solves the nonlinear problem of a step until ‖δv‖/‖v‖ and ‖δp‖/‖p‖ are below the tolerance and friction is settled
+   * (StepProblem::is_settled()), by Newton's method: all
    * derivatives are taken but for the viscosity's, which follows the chosen ViscosityLinearization. The derivatives of
    * the geometry are left out while they would flatten cells or turn the increment uphill, and a step that overshoots is
    * shortened by a line search; the work of the residual along the increment tells both.

@@ -113,7 +113,7 @@ namespace Lahar
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
     void take_mean_forces();
     /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
-    void stop_at_collision(const std::vector<Point<dim>> &old_position);
+    void stop_at_collision(const std::vector<Point<dim>> &old_position, const WallStep<dim> &wall_step);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     /// What walls prescribe in a step, by vertex.

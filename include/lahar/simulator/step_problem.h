@@ -53,7 +53,8 @@ namespace Lahar
       Tensor<1, dim> gravity; ///< m/s²
       const TimeIntegration &time_integration;
       double end_time; ///< s
-      /// By vertex; the particles' velocities and accelerations obey them already.
+      /// By vertex; the particles' velocities and accelerations obey them already, but for what boundaries that
+      /// move prescribe.
       std::vector<NodeConstraint<dim>> constraints;
       /// By vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
       const std::vector<bool> &arrives;
@@ -85,7 +86,7 @@ namespace Lahar
     /// crushes are left out, see CrushedCells, and friction is what the velocities ask for, see SlidingFriction.
     void end_iteration();
 
-    /// Whether the last iteration solved the step's own equations: friction held no vertex, see SlidingContact.
+    /// Whether the last iteration solved the step's own equations, see SlidingFriction::is_settled(). Collective.
     bool is_settled() const;
 
     /// Whether increments were halved in the last step.
