@@ -3,7 +3,6 @@
 #include <lahar/simulator/sliding_friction.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace Lahar
@@ -14,10 +13,7 @@ namespace Lahar
     constexpr double viscosity_factor = 5.;
 
     /// In so many iterations of a step the normal stress follows the reaction.
-    constexpr unsigned int n_following = 6;
-
-    /// Normal stresses are found if their last change, as a force, is below this part of it.
-    constexpr double largest_change = 0.02;
+    constexpr unsigned int n_following = 15;
   } // namespace
 
 
@@ -50,12 +46,10 @@ namespace Lahar
       if (cloud.reaction[particle].norm() > 0.)
         state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
                               cloud.pressure[particle];
-      contacts.push_back({contact, node, state, node < partition.n_own(), is_main});
+      contacts.push_back({contact, node, state, is_main});
       contacts.back().at.stiffness = inertia_factor * law.density() * h / time_step +
                                      viscosity_factor * law.viscous_part(1. / time_step).value / h;
     }
-    communicator = partition.communicator();
-    normal_force = change_of_force = 0.;
     is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, partition.communicator()) == 1U;
   }
 
@@ -81,18 +75,9 @@ namespace Lahar
                                      const std::vector<Tensor<1, dim>> &reactions)
   {
     const bool follows = n_iterations++ < n_following;
-    normal_force = change_of_force = 0.;
     for (Contact &contact : contacts)
-    {
-      const double old_excess = contact.state.excess_stress, pressure = pressures[contact.node];
-      contact.at.iterate(velocities[contact.node], pressure, reactions[contact.node], follows, contact.state);
-      const double N = std::max(contact.state.excess_stress - pressure, 0.);
-      if (contact.is_own && contact.at.law->resistance(N).threshold_derivative != 0.)
-      {
-        normal_force += contact.at.area * N;
-        change_of_force += contact.at.area * std::abs(contact.state.excess_stress - old_excess);
-      }
-    }
+      contact.at.iterate(velocities[contact.node], pressures[contact.node], reactions[contact.node], follows,
+                         contact.state);
   }
 
 
@@ -100,12 +85,8 @@ namespace Lahar
   template <int dim>
   bool SlidingFriction<dim>::is_settled() const
   {
-    const bool any_held  = std::any_of(contacts.begin(), contacts.end(),
-                                       [](const Contact &contact) { return contact.state.held; });
-    const double sums[3] = {any_held ? 1. : 0., normal_force, change_of_force};
-    double of_all[3];
-    Utilities::MPI::sum(ArrayView<const double>(sums, 3), communicator, ArrayView<double>(of_all, 3));
-    return of_all[0] == 0. && of_all[2] <= largest_change * of_all[1];
+    return std::none_of(contacts.begin(), contacts.end(),
+                        [](const Contact &contact) { return contact.state.held; });
   }
 
 

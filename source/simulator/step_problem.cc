@@ -226,8 +226,7 @@ namespace Lahar
       return;
     std::vector<Tensor<1, dim>> reactions = system.momentum_residual();
     system.partition().update(reactions);
-    // The reactions are those of the last assembly, before the step.
-    friction.iterate(by_node(fluid.state.mean_velocity), by_node(base_pressure), reactions);
+    friction.iterate(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), reactions);
   }
 
 
@@ -235,7 +234,7 @@ namespace Lahar
   template <int dim>
   bool StepProblem<dim>::is_settled() const
   {
-    return !friction.any() || friction.is_settled();
+    return !friction.any() || on_all_ranks(friction.is_settled());
   }
 
 

@@ -64,8 +64,9 @@ namespace Lahar
     SlidingForce<dim> force(const Tensor<1, dim> &velocity, const double pressure,
                             const SlidingState<dim> &state) const;
 
-    /// What @p state becomes after an iteration that ended with this velocity and began with this pressure and the
-    /// boundary's @p reaction on the vertex, N. λ stays, and e unless it @p follows the reaction.
+    /// What @p state becomes after an iteration that ended with this velocity and pressure, and with the boundary's
+    /// @p reaction on the vertex, N, of the last assembly: that N at the present pressure; to let it change with the
+    /// pressure's increment overshoots in stiff fluids. λ stays, and e unless it @p follows the reaction.
     void iterate(const Tensor<1, dim> &velocity, const double pressure, const Tensor<1, dim> &reaction,
                  const bool follows, SlidingState<dim> &state) const;
 

@@ -40,8 +40,7 @@ namespace Lahar
     void iterate(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
                  const std::vector<Tensor<1, dim>> &reactions);
 
-    /// Whether no vertex is held for an iteration, and the normal stresses on which friction depends have not changed by
-    /// much in the last iteration. Collective.
+    /// Whether no vertex of this rank is held for an iteration.
     bool is_settled() const;
 
     /// End the step: λ = P, which the particles of the region's mesh keep; what does not slide has none.
@@ -60,14 +59,10 @@ namespace Lahar
       SlidingContact<dim> at; ///< with the vertex of the region's mesh
       unsigned int node;      ///< local number
       SlidingState<dim> state;
-      bool is_own;  ///< whether the node is this rank's
       bool is_main; ///< whether the particle keeps its multiplier
     };
 
     std::vector<Contact> contacts; ///< of the nodes that this rank knows
-    MPI_Comm communicator     = MPI_COMM_SELF;
-    double normal_force       = 0.; ///< of this rank's contacts, N
-    double change_of_force    = 0.; ///< sum of its absolute changes in the last iteration, N
     bool is_any               = false;
     unsigned int n_iterations = 0; ///< of the step
   };
