@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Make a film of a Lahar run in the plane: one frame a snapshot, with one scale of colours and the same axes throughout.
+"""Make a film of a Lahar run in the plane: one frame a snapshot, with one scale of colours and the same axes.
 
     animate.py output-quickstart -o flow.mp4 --field pressure
     animate.py output-quickstart -o flow.gif --fps 20 --limits 0 0.8 0 0.4
 
-The ending of the file says which kind of film it is. Unyielded fluid is paler, walls are dark, also those that move, and
-solids brown. Needs ffmpeg (Debian: apt install ffmpeg).
+The ending of the file says which kind of film it is. Unyielded fluid is paler, walls are dark, also those that move,
+and solids brown. Needs ffmpeg (Debian: apt install ffmpeg).
 """
 
 import argparse
@@ -21,7 +21,8 @@ from matplotlib.cm import ScalarMappable
 
 from figure_style import WIDTH, plt, use_style
 from lahar_output import Mesh, OutputError, read_parameter, read_pvd, read_vtu, read_walls, run_script
-from snapshots import (LABELS, add_legend, color_scale, draw_panel, extension, field_values, label_axes, make_axes, view)
+from snapshots import (LABELS, add_legend, color_scale, draw_panel, extension, field_values, label_axes, make_axes,
+                       view)
 
 ENCODERS = {
     ".mp4": ("-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags", "+faststart"),
@@ -37,7 +38,8 @@ def parse_arguments():
     parser.add_argument("--field", default="speed",
                         help="speed, yielded, or a field of the VTU files (default: %(default)s)")
     parser.add_argument("--log", action="store_true", help="logarithmic colours")
-    parser.add_argument("--fps", type=float, default=10., help="frames, that is snapshots, a second (default: %(default)g)")
+    parser.add_argument("--fps", type=float, default=10.,
+                        help="frames, that is snapshots, a second (default: %(default)g)")
     parser.add_argument("--limits", type=float, nargs=4, metavar=("X0", "X1", "Y0", "Y1"),
                         help="the part drawn, in m (default: all that fluid and walls reach)")
     parser.add_argument("--width", type=int, default=1200, help="of the film in pixels (default: %(default)s)")
@@ -108,7 +110,8 @@ class Film:
         self.figure.set_dpi(dpi)
         self.figure.set_size_inches(*((2 * round(pixels / 2) + 0.01) / dpi for pixels in (width, height)))
         if self.norm is not None:
-            self.figure.colorbar(ScalarMappable(self.norm, "viridis"), ax=self.grid, label=LABELS.get(self.field, self.field),
+            self.figure.colorbar(ScalarMappable(self.norm, "viridis"), ax=self.grid,
+                                 label=LABELS.get(self.field, self.field),
                                  extend=extension(self.norm, all_values), fraction=0.03, pad=0.015, aspect=25)
         self.draw(0)
         self.figure.canvas.draw()
@@ -127,8 +130,9 @@ class Film:
         label_axes(self.grid, 1)
         if self.legend:
             add_legend(self.axes, *self.legend)
-        self.axes.text(0.012, 0.975, f"$t$ = {self.series.times[i]:.{self.n_decimals}f} s", transform=self.axes.transAxes,
-                       verticalalignment="top", zorder=5, bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8})
+        time = f"$t$ = {self.series.times[i]:.{self.n_decimals}f} s"
+        self.axes.text(0.012, 0.975, time, transform=self.axes.transAxes, verticalalignment="top", zorder=5,
+                       bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8})
 
     def frames(self):
         """The pixels of all frames, row by row in red, green and blue."""
@@ -159,8 +163,9 @@ def decimals(times):
 def encode(frames, size, fps, path):
     """Write the film at @p path."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    command = ["ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{size[0]}x{size[1]}",
-               "-framerate", f"{fps:g}", "-i", "-", *ENCODERS[path.suffix.lower()], str(path.resolve())]
+    command = ["ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
+               "-s", f"{size[0]}x{size[1]}", "-framerate", f"{fps:g}", "-i", "-",
+               *ENCODERS[path.suffix.lower()], str(path.resolve())]
     with tempfile.TemporaryFile("w+", errors="replace") as messages:
         process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=messages)
         n_frames = 0

@@ -6,8 +6,8 @@
     snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
 Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from
-the run, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it starts is a solid body, or the tank of
-fluid inside it.
+the run, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it starts is a solid body, or the tank
+of fluid inside it.
 """
 
 import argparse
@@ -166,7 +166,7 @@ def draw_walls(axes, walls, mesh):
 
 
 def draw_panel(axes, mesh, solids, walls, first_mesh, field, norm):
-    """One snapshot; say whether it shows unyielded fluid paler. Closed walls around fluid of @p first_mesh are tanks."""
+    """Draw one snapshot; say whether unyielded fluid is paler. Closed walls around fluid of @p first_mesh are tanks."""
     has_unyielded = False
     if field == "yielded":
         draw_yielded(axes, mesh)

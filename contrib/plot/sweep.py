@@ -6,8 +6,8 @@
     sweep.py case.prm "Mesh size" 0.02 0.01 --lahar build/lahar --set "End time=0.5" --column "front (m)" -o meshes
 
 DIRECTORY/VALUE is the output directory of each run, DIRECTORY/sweep.csv the table. A run that is finished is not run
-again if case and settings are the same, one that was interrupted goes on from its checkpoint, any other begins anew; one
-that fails does not stop the others. Exit status: 0; 1 if a run failed; 2 for wrong input.
+again if case and settings are the same, one that was interrupted goes on from its checkpoint, any other begins anew;
+one that fails does not stop the others. Exit status: 0; 1 if a run failed; 2 for wrong input.
 """
 
 import argparse
@@ -24,14 +24,15 @@ from sweep_table import quantities, print_table, write_plots, write_table
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", type=pathlib.Path, metavar="CASE.prm", help="the case")
-    parser.add_argument("entry", metavar="ENTRY", help="the entry that differs, such as 'Fluids/mud/Bingham/Yield stress'")
+    parser.add_argument("entry", metavar="ENTRY", 
+                        help="the entry that differs, such as 'Fluids/mud/Bingham/Yield stress'")
     parser.add_argument("values", nargs="+", metavar="VALUE", help="its values, one for each run")
     parser.add_argument("--lahar", type=pathlib.Path, required=True, metavar="PROGRAM", help="the program")
     parser.add_argument("--jobs", type=int, default=1, help="runs side by side (default: %(default)s)")
     parser.add_argument("--set", action="append", default=[], metavar="ENTRY=VALUE", help="another entry, for all runs")
     parser.add_argument("--column", action="append", default=[], metavar="NAME",
-                        help="a column of the statistics for table and plots (default: change of volume, iterations, wall "
-                             "time, and all columns of lengths and forces)")
+                        help="a column of the statistics for table and plots (default: change of volume, iterations, "
+                             "wall time, and all columns of lengths and forces)")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, metavar="DIRECTORY",
                         help="for runs, table and plots")
     return parser.parse_args()
@@ -84,13 +85,14 @@ def main():
     finished = [run for run in runs if run.is_finished]
     failed = [run for run in runs if not run.is_finished]
     if failed and all(run.status == 2 for run in runs):
-        raise OutputError(f"{arguments.case}: no value of '{arguments.entry}' is right; {failed[0].value}: {failed[0].message}")
+        raise OutputError(f"{arguments.case}: no value of '{arguments.entry}' is right; {failed[0].value}: "
+                          f"{failed[0].message}")
     chosen = quantities(finished, arguments.column)
     print_table(arguments.entry, runs, chosen)
     write_table(arguments.entry, runs, chosen, arguments.output / "sweep.csv")
     write_plots(arguments.entry, finished, chosen, arguments.output)
     if failed:
-        print(f"{len(failed)} of {len(runs)} runs failed: {', '.join(run.value for run in failed)}")
+        print(f"{len(failed)} of {len(runs)} runs failed or stopped: {', '.join(run.value for run in failed)}")
         sys.exit(1)
 
 

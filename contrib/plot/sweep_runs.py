@@ -10,7 +10,7 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
-from lahar_output import OutputError, read_statistics, read_text
+from lahar_output import OutputError, column, read_parameter, read_statistics, read_text
 
 RECORD = "sweep.json"
 SCREEN = "screen"
@@ -66,7 +66,16 @@ class Run:
 
     @property
     def is_finished(self):
-        return self.status == 0 and self.statistics_path.is_file()
+        return self.status == 0 and self.has_reached_end
+
+    @property
+    def has_reached_end(self):
+        """A run that a signal stops before ends with status 0, too."""
+        try:
+            end = float(read_parameter(self.directory / "parameters.prm", [], "End time"))
+            return column(self.statistics, "Time (s)", self.statistics_path)[-1] > end * (1 - 1e-9)
+        except (OutputError, ValueError, IndexError):
+            return False
 
     @property
     def can_resume(self):
@@ -139,6 +148,9 @@ class Runner:
             with self.lock:
                 self.processes.discard(process)
         if self.is_stopped:
+            return
+        if status == 0 and not run.has_reached_end:
+            print(f"{run.value}: stopped before its end: {run.message}", flush=True)
             return
         run.write_record(**{"exit status": status})
         if status == 0:

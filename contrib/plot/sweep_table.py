@@ -87,7 +87,8 @@ def write_table(entry, runs, chosen, path):
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([entry, "state", *(title for quantity in chosen for title in quantity.titles)])
         for run in runs:
-            writer.writerow([run.value, "finished" if run.is_finished else "failed",
+            state = "finished" if run.is_finished else "stopped" if run.status is None else "failed"
+            writer.writerow([run.value, state,
                              *(f"{number:.10g}" if number is not None else "" for number in numbers(run, chosen))])
     print(f"Wrote {path}")
 
@@ -102,10 +103,11 @@ def print_table(entry, runs, chosen):
     rows = [[entry, *(run.value for run in runs)]]
     by_run = [numbers(run, chosen) for run in runs]
     for i, title in enumerate(title for quantity in chosen for title in quantity.titles):
-        rows.append([title, *("failed" if row[i] is None else f"{row[i]:.5g}" for row in by_run)])
+        rows.append([title, *("-" if row[i] is None else f"{row[i]:.5g}" for row in by_run)])
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     for row in rows:
-        print("  ".join([row[0].ljust(widths[0]), *(word.rjust(width) for word, width in zip(row[1:], widths[1:]))]).rstrip())
+        words = [word.rjust(width) for word, width in zip(row[1:], widths[1:])]
+        print("  ".join([row[0].ljust(widths[0]), *words]).rstrip())
 
 
 # --------------------------------------------------------------------------------------------------------- plots

@@ -3,7 +3,7 @@
 """contrib/plot/sweep.py and animate.py on a small column beside a wall that moves.
 
 The table of the sweep has the numbers of the statistics; what is finished is not run again, unless case or settings
-differ; a value that fails is said. The film has a frame a snapshot, and frames show something. Wrong input is refused in
+differ; a value that fails is said. The film has a frame a snapshot and frames show something. Wrong input is refused in
 one line with status 2.
 
 Usage: films.py LAHAR. Exit status 77 (skipped) without numpy, matplotlib or ffmpeg.
@@ -62,9 +62,11 @@ def test_sweep(directory, lahar):
     case = ["case.prm", ENTRY]
     options = ["--lahar", lahar, "-o", "sweep"]
     process = run_script(directory, "sweep.py", *case, "50", "-1", "200", *options, "--jobs", "2")
-    check("a sweep with a value that is wrong has status 1", process.returncode == 1 and not process.stderr, process.stderr)
+    check("a sweep with a value that is wrong has status 1", process.returncode == 1 and not process.stderr,
+          process.stderr)
     check("the value is said, with the program's message", "-1: FAILED with exit status 2" in process.stdout
-          and "Yield stress" in process.stdout and "1 of 3 runs failed: -1" in process.stdout, process.stdout)
+          and "Yield stress" in process.stdout
+          and "1 of 3 runs failed or stopped: -1" in process.stdout, process.stdout)
     rows = table(os.path.join(directory, "sweep", "sweep.csv"))
     check("the table has all values and their states", [(row[ENTRY], row["state"]) for row in rows] ==
           [("50", "finished"), ("-1", "failed"), ("200", "finished")], rows)
@@ -72,10 +74,12 @@ def test_sweep(directory, lahar):
     for row in (rows[0], rows[2]):
         columns = statistics(os.path.join(directory, "sweep", row[ENTRY], "statistics"))
         change = columns["Volume change by solver"][-1] + columns["Volume change by remeshing"][-1]
-        expected = {"Fluid volume change, last": change, "Nonlinear iterations, total": sum(columns["Nonlinear iterations"]),
+        expected = {"Fluid volume change, last": change,
+                    "Nonlinear iterations, total": sum(columns["Nonlinear iterations"]),
                     "Wall time (s), last": columns["Wall time (s)"][-1]}
         expected.update({f"{name}, last": values[-1] for name, values in columns.items() if name.endswith(" (m)")})
-        expected.update({f"{name}, peak": max(values, key=abs) for name, values in columns.items() if " force " in name})
+        expected.update({f"{name}, peak": max(values, key=abs) for name, values in columns.items()
+                         if " force " in name})
         check(f"{row[ENTRY]}: the table has these quantities", {ENTRY, "state", *expected} == set(row) and len(row) > 8,
               set(row) ^ set(expected))
         wrong = {name: (row[name], number) for name, number in expected.items() if not is_close(row[name], number)}
@@ -91,7 +95,8 @@ def test_sweep(directory, lahar):
     process = run_script(directory, "sweep.py", *case, "50", "200", *options, "--column", "height (m)",
                          "--column", "floor force y (N)")
     check("what is finished is not run again", process.returncode == 0 and ends() == before
-          and process.stdout.count("finished already") == 2 and "started" not in process.stdout, process.stdout, process.stderr)
+          and process.stdout.count("finished already") == 2 and "started" not in process.stdout,
+          process.stdout, process.stderr)
     row = table(os.path.join(directory, "sweep", "sweep.csv"))[1]
     columns = statistics(os.path.join(directory, "sweep", "200", "statistics"))
     height, force, steps = columns["height (m)"], columns["floor force y (N)"], columns["Time step size (s)"]
@@ -99,8 +104,8 @@ def test_sweep(directory, lahar):
           is_close(row["height (m), last"], height[-1]) and is_close(row["height (m), largest"], max(height))
           and is_close(row["height (m), mean"], sum(h * dt for h, dt in zip(height, steps)) / sum(steps)), row)
     check("forces have peak, last and mean, and there is nothing else",
-          is_close(row["floor force y (N), peak"], max(force, key=abs)) and is_close(row["floor force y (N), last"], force[-1])
-          and len(row) == 8, row)
+          is_close(row["floor force y (N), peak"], max(force, key=abs))
+          and is_close(row["floor force y (N), last"], force[-1]) and len(row) == 8, row)
     process = run_script(directory, "sweep.py", *case, "50", *options, "--column", "mood")
     check("a column that is not there is refused", is_refused(process, "mood", "statistics"), process.stderr)
     process = run_script(directory, "sweep.py", *case, "50", *options, "--set", "End time=4e-3")
@@ -126,7 +131,8 @@ def test_film(directory):
     check("the walls move", n_moving > 1, n_moving)
     for name, *options in (("flow.mp4",), ("flow.gif", "--field", "yielded", "--width", "301", "--fps", "20")):
         process = run_script(directory, "animate.py", run, "-o", name, *options)
-        check(f"{name} is made of 5 snapshots", process.returncode == 0 and "5 frames" in process.stdout, process.stderr)
+        check(f"{name} is made of 5 snapshots", process.returncode == 0 and "5 frames" in process.stdout,
+              process.stderr)
         probe = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
                                 "stream=nb_read_frames,codec_name,pix_fmt,width,height", "-of", "json", name],
                                cwd=directory, stdout=subprocess.PIPE, text=True)
@@ -170,7 +176,8 @@ def main():
             or not shutil.which("ffmpeg") or not shutil.which("ffprobe"):
         print("not tested: numpy, matplotlib or ffmpeg is missing")
         sys.exit(SKIPPED)
-    plate = wall("0.14, 0.02 : 0.14, 0.1") + "set Motion = translation\n" + section("translation", "set Displacement = t; 0")
+    plate = wall("0.14, 0.02 : 0.14, 0.1") + "set Motion = translation\n"
+    plate += section("translation", "set Displacement = t; 0")
     with tempfile.TemporaryDirectory() as parent:
         directory = new_case(parent, "films", CASE + fluid("0, 0 : 0.08, 0.1") + parts(
             "Boundaries", {"floor": wall("0, 0.14 : 0, 0 : 0.2, 0"), "plate": plate}))
