@@ -5,8 +5,9 @@
     snapshots.py output-quickstart --times 0.1 0.2 0.4 -o snapshots.png --field speed
     snapshots.py output-elastic output-rigid --labels elastic rigid --field yielded -o yielded.png
 
-Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from the run, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it
-starts is a solid body, or the tank of fluid inside it.
+Several runs stand side by side. The field "yielded" draws what has yielded black and the rest grey. The walls come from
+the run, or from --walls "x, y : x, y ... ; x, y : ..."; a line that ends where it starts is a solid body, or the tank
+of fluid inside it.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import math
 import pathlib
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.patches import Patch, PathPatch
@@ -163,6 +165,21 @@ def draw_walls(axes, walls, mesh):
             axes.plot(*wall.corners.T, color=INK, linewidth=1.8, solid_capstyle="butt", solid_joinstyle="miter")
 
 
+def draw_panel(axes, mesh, solids, walls, first_mesh, field, norm):
+    """Draw one snapshot; say whether unyielded fluid is paler. Closed walls around fluid of @p first_mesh are tanks."""
+    has_unyielded = False
+    if field == "yielded":
+        draw_yielded(axes, mesh)
+    else:
+        draw_field(axes, mesh, field_values(mesh, field), norm)
+        has_unyielded = draw_unyielded(axes, mesh)
+    draw_outline(axes, mesh)
+    if solids:
+        draw_solids(axes, solids)
+    draw_walls(axes, walls, first_mesh)
+    return has_unyielded
+
+
 def make_axes(n_panels, limits, n_columns):
     """A grid of panels that is neither very flat nor very tall and has few places empty."""
     aspect = (limits[3] - limits[2]) / (limits[1] - limits[0])
@@ -218,29 +235,21 @@ def draw(arguments):
     panels = [(run, label, i) for i in range(len(runs[0].times)) for run, label in zip(runs, labels)]
     figure, axes = make_axes(len(panels), limits, len(runs) if len(runs) > 1 else arguments.columns)
 
-    is_yielded = arguments.field == "yielded"
+    is_yielded, norm = arguments.field == "yielded", None
     if not is_yielded:
         all_values = [field_values(mesh, arguments.field) for mesh in meshes]
         norm = color_scale(all_values, arguments.field, arguments.log)
     has_unyielded = False
     for panel, (run, label, i) in zip(axes.flat, panels):
         mesh = run.meshes[i]
-        if is_yielded:
-            draw_yielded(panel, mesh)
-        else:
-            image = draw_field(panel, mesh, field_values(mesh, arguments.field), norm)
-            has_unyielded |= draw_unyielded(panel, mesh)
-        draw_outline(panel, mesh)
-        if run.solids[i]:
-            draw_solids(panel, run.solids[i])
-        draw_walls(panel, run.walls[i], run.meshes[0])
+        has_unyielded |= draw_panel(panel, mesh, run.solids[i], run.walls[i], run.meshes[0], arguments.field, norm)
         panel.set(aspect="equal", xlim=limits[:2], ylim=limits[2:],
                   title=(f"{label}, " if len(runs) > 1 else "") + f"$t$ = {run.times[i]:.4g} s")
     label_axes(axes, len(panels))
     if is_yielded:
         add_legend(axes[0, 0], ("black", "yielded"), ("0.8", "unyielded"))
     else:
-        figure.colorbar(image, ax=axes, label=LABELS.get(arguments.field, arguments.field),
+        figure.colorbar(ScalarMappable(norm, "viridis"), ax=axes, label=LABELS.get(arguments.field, arguments.field),
                         extend=extension(norm, all_values), fraction=0.03, pad=0.015, aspect=25)
     if has_unyielded:
         add_legend(axes[0, 0], ("0.85", "unyielded (paler)"))
