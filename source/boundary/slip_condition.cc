@@ -38,8 +38,15 @@ namespace Lahar
     }
 
     // Move the particle along the directions that its other facets leave free.
+    Tensor<1, dim> direction = walls.normal(facet);
+    for (const int other : slots)
+      if (other != ParticleCloud<dim>::no_facet && other != static_cast<int>(facet))
+        direction -= (direction * walls.normal(other)) * walls.normal(other);
+    const double slope = direction * walls.normal(facet);
+    if (slope > parallel_tolerance * parallel_tolerance)
+      cloud.position[particle] -= walls.signed_distance(facet, cloud.position[particle]) / slope * direction;
+
     const NodeConstraint<dim> fixed = sliding_at_end(particle, cloud);
-    Tensor<1, dim> direction        = walls.normal(facet);
     for (unsigned int a = 0; a < fixed.n_fixed; ++a)
     {
       const Tensor<1, dim> &normal = fixed.frame[a];
@@ -48,12 +55,6 @@ namespace Lahar
       cloud.algorithmic_acceleration[particle] -= (cloud.algorithmic_acceleration[particle] * normal) *
                                                   normal;
     }
-    for (const int other : slots)
-      if (other != ParticleCloud<dim>::no_facet && other != static_cast<int>(facet))
-        direction -= (direction * walls.normal(other)) * walls.normal(other);
-    const double slope = direction * walls.normal(facet);
-    if (slope > parallel_tolerance * parallel_tolerance)
-      cloud.position[particle] -= walls.signed_distance(facet, cloud.position[particle]) / slope * direction;
   }
 
 
