@@ -95,7 +95,7 @@ def test_old_entries():
                                                      "convert-case"], text=GOOD + text)
     for law in ("no slip", "free slip"):
         old = ("No-slip walls", "Slip walls")[law == "free slip"]
-        refused("the law that says what %s were" % old, ["'/Law = %s'" % law], *set_entry("Geometry/" + old, "0, 0 : 1, 0"))
+        refused("the law that says what %s were" % old, ["/Law = %s'" % law], *set_entry("Geometry/" + old, "0, 0 : 1, 0"))
 
     # Each of them, with its line.
     with tempfile.TemporaryDirectory() as directory:

@@ -91,7 +91,7 @@ def set_entry(text):
 
 def test_entries():
     for text, nearest in [("Mesh sizes=1", "Mesh size"), ("Fluids/fluid/Bingham/Densty=1", "Fluids/fluid/Bingham/Density"),
-                          ("Density=1", "Fluids/fluid/Bingham/Density"), ("Geometry/Mesh size=1", "Mesh size"),
+                          ("Plastic viscosity=1", "Fluids/fluid/Bingham/Plastic viscosity"), ("Geometry/Mesh size=1", "Mesh size"),
                           ("Solver/Type=direct", "Linear solver/Type")]:
         refused("--set " + text, GOOD, "--set: there is no entry '%s'" % text.split("=")[0],
                 "nearest is '" + nearest + "'", "Allowed", arguments=set_entry(text))
