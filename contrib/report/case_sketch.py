@@ -5,7 +5,7 @@ import pathlib
 
 import numpy as np
 
-from lahar_output import Mesh, read_vtu, read_walls
+from lahar_output import Mesh, read_pvd, read_vtu, read_walls
 from mesh_geometry import faces_with_cells
 
 FEATURE_ANGLE = 20.  # degrees: between facets that meet flatter there is no edge
@@ -18,9 +18,11 @@ class Walls:
     def __init__(self, run, flow):
         self.lines, self.filled = [], []
         self.triangles, self.edges = np.zeros((0, 3, 3)), np.zeros((0, 2, 3))
-        path = pathlib.Path(run.directory) / "walls.vtu"
+        # Walls that move are drawn where they are at first.
+        moving = [path for _, path in read_pvd(pathlib.Path(run.directory) / "solution.pvd", 2) if path.is_file()]
+        path = moving[0] if moving else pathlib.Path(run.directory) / "walls.vtu"
         if run.dimension == 2:
-            walls = read_walls(run.directory)
+            walls = read_walls(path)
             self.lines = [wall.corners for wall in walls]
             places = np.concatenate([surface.points for surface in flow.surfaces()[:1]])
             self.filled = [wall.is_closed and not contains(wall.corners, places).any() for wall in walls]
