@@ -113,7 +113,8 @@ namespace Lahar
         reason << "no convergence, the relative increments are " << report.velocity_increment
                << " (velocity) and " << report.pressure_increment << " (pressure), largest at ("
                << problem.place_of_largest_increment() << ") m, the tolerance is " << tolerance
-               << (report.is_settled ? "" : "; sliding with friction turns round from iteration to iteration");
+               << (report.is_settled ? ""
+                                     : "; sliding with friction turns round from iteration to iteration");
         throw RunError(reason.str());
       }
       report.n_held = problem.n_held();
