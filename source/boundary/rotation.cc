@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <deal.II/physics/transformations.h>
+
 #include <lahar/boundary/boundary_motion.h>
 #include <lahar/utilities/factory.h>
 #include <lahar/utilities/time_functions.h>
-
-#include <cmath>
 
 namespace Lahar
 {
@@ -41,22 +41,11 @@ namespace Lahar
 
     RigidMotion<dim> at(const double time) const override
     {
-      const double phi = angle(time)[0];
       RigidMotion<dim> motion;
-      // Rodrigues: R x = cos φ x + sin φ a × x + (1 − cos φ) (a·x) a.
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        Tensor<1, dim> e;
-        e[d] = 1.;
-        Tensor<1, dim> turned;
-        if constexpr (dim == 2)
-          turned = std::cos(phi) * e - std::sin(phi) * cross_product_2d(e);
-        else
-          turned = std::cos(phi) * e + std::sin(phi) * cross_product_3d(axis, e) +
-                   (1. - std::cos(phi)) * (axis * e) * axis;
-        for (unsigned int c = 0; c < dim; ++c)
-          motion.rotation[c][d] = turned[c];
-      }
+      if constexpr (dim == 2)
+        motion.rotation = Physics::Transformations::Rotations::rotation_matrix_2d(angle(time)[0]);
+      else
+        motion.rotation = Physics::Transformations::Rotations::rotation_matrix_3d(axis, angle(time)[0]);
       motion.shift = centre - Point<dim>(motion.rotation * centre);
       return motion;
     }
