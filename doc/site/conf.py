@@ -274,16 +274,16 @@ def file_pages(app):
     from pygments.lexers import get_lexer_for_filename
     from pygments.util import ClassNotFound
 
-    todo, done = sorted(FILES), set()
-    while todo:
-        path = todo.pop()
+    waiting, done = sorted(FILES), set()
+    while waiting:
+        path = waiting.pop()
         if path in done:
             continue
         done.add(path)
         here = f"files/{path}"
         if (ROOT / path).is_dir():
             names = sorted(child.name for child in (ROOT / path).iterdir() if not child.name.startswith((".", "__")))
-            todo += [f"{path}/{name}" for name in names]
+            waiting += [f"{path}/{name}" for name in names]
             links = (f'<li><a href="{relative(here, f"files/{path}/{name}.html")}">{name}</a></li>' for name in names)
             body = "<ul>" + "\n".join(links) + "</ul>"
         else:

@@ -21,7 +21,7 @@ namespace Lahar
   struct WallFacet
   {
     std::array<Point<dim>, dim> corners;
-    bool slip             = false; ///< free slip (no normal velocity) instead of no slip
+    bool slip             = false; ///< fluid slides along it (SlipCondition) instead of sticking to it
     unsigned int boundary = 0;     ///< the number of the case's boundary that it belongs to
     bool moves            = false; ///< whether that boundary moves in the run
   };

@@ -88,8 +88,8 @@ namespace Lahar
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
-     * pressure, its rate, friction and spacing are their means; it slides on the slip facets that both share and belongs to the
-     * owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
+     * pressure, its rate, friction and spacing are their means; it slides on the slip facets that both share and
+     * belongs to the owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
 
