@@ -5,17 +5,23 @@
 
 namespace Lahar
 {
-  /// v is that of the surface.
+  /// v is that of the surface, for the fluid that lies on it.
   class NoSlip : public SurfaceLaw
   {
   public:
     bool slips() const override
     {
-      return false;
+      return true;
+    }
+
+    bool sticks() const override
+    {
+      return true;
     }
   };
 
 
 
-  static const Factory<SurfaceLaw>::Registration<NoSlip> no_slip("no slip", "Fluid sticks to the surface.");
+  static const Factory<SurfaceLaw>::Registration<NoSlip>
+    no_slip("no slip", "Fluid that comes to lie on the surface sticks to it.");
 } // namespace Lahar

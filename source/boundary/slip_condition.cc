@@ -18,7 +18,7 @@ namespace Lahar
 
 
   template <int dim>
-  void SlipCondition<dim>::attach(const unsigned int particle, const unsigned int facet,
+  void SlipCondition<dim>::attach(const unsigned int particle, const unsigned int facet, const int side,
                                   ParticleCloud<dim> &cloud) const
   {
     auto &slots = cloud.slip_facets[particle];
@@ -44,8 +44,18 @@ namespace Lahar
         direction -= (direction * walls.normal(other)) * walls.normal(other);
     const double slope = direction * walls.normal(facet);
     if (slope > parallel_tolerance * parallel_tolerance)
-      cloud.position[particle] -= walls.signed_distance(facet, cloud.position[particle]) / slope * direction;
+      cloud.position[particle] += (side * contact_offset * cloud.spacing[particle] -
+                                   walls.signed_distance(facet, cloud.position[particle])) /
+                                  slope * direction;
 
+    if (const int sticking = sticking_facet(particle, cloud); sticking != ParticleCloud<dim>::no_facet)
+    {
+      cloud.velocity[particle]                 = step.velocity_at_end(walls.facets()[sticking].boundary,
+                                                                      cloud.position[particle]);
+      cloud.acceleration[particle]             = Tensor<1, dim>();
+      cloud.algorithmic_acceleration[particle] = Tensor<1, dim>();
+      return;
+    }
     const NodeConstraint<dim> fixed = sliding_at_end(particle, cloud);
     for (unsigned int a = 0; a < fixed.n_fixed; ++a)
     {
@@ -68,7 +78,7 @@ namespace Lahar
           if (walls.facets()[facet].slip &&
               std::abs(walls.signed_distance(facet, cloud.position[i])) < 1e-3 * cloud.spacing[i] &&
               walls.is_above(facet, cloud.position[i], 1e-3 * cloud.spacing[i]))
-            attach(i, facet, cloud);
+            attach(i, facet, side_of(facet, cloud.position[i]), cloud);
   }
 
 
@@ -89,14 +99,32 @@ namespace Lahar
           facet = ParticleCloud<dim>::no_facet;
       std::sort(slots.begin(), slots.end(), std::greater<int>());
 
+      // Along a smooth hollow the particle leaves the facet behind for the one that it comes to.
+      const auto goes_on = [&](const int from, const unsigned int to, const int side) {
+        return from != ParticleCloud<dim>::no_facet &&
+               side_of(from, cloud.position[i]) * side * (walls.normal(from) * walls.normal(to)) >
+                 smooth_joint;
+      };
       for (const unsigned int facet : step.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
         if (walls.facets()[facet].slip)
-          attach(i, facet, cloud);
+        {
+          const int side = step.side_at_start(facet, old_position[i]);
+          for (int &from : slots)
+            if (goes_on(from, facet, side))
+              from = ParticleCloud<dim>::no_facet;
+          std::sort(slots.begin(), slots.end(), std::greater<int>());
+          attach(i, facet, side, cloud);
+        }
       for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
         if (walls.facets()[facet].slip &&
             std::abs(walls.signed_distance(facet, cloud.position[i])) < contact_distance * h &&
-            walls.is_above(facet, cloud.position[i], 1e-3 * h))
-          attach(i, facet, cloud);
+            walls.is_above(facet, cloud.position[i], 1e-3 * h) && !walls.is_hidden(facet, cloud.position[i]))
+        {
+          const int side = side_of(facet, cloud.position[i]);
+          if (std::none_of(slots.begin(), slots.end(),
+                           [&](const int from) { return goes_on(from, facet, side); }))
+            attach(i, facet, side, cloud);
+        }
     }
   }
 
@@ -111,9 +139,38 @@ namespace Lahar
 
 
   template <int dim>
+  int SlipCondition<dim>::side_of(const unsigned int facet, const Point<dim> &point) const
+  {
+    return walls.signed_distance(facet, point) < 0. ? -1 : 1;
+  }
+
+
+
+  template <int dim>
+  int SlipCondition<dim>::sticking_facet(const unsigned int particle, const ParticleCloud<dim> &cloud) const
+  {
+    for (const int facet : cloud.slip_facets[particle])
+      if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].sticks)
+        return facet;
+    return ParticleCloud<dim>::no_facet;
+  }
+
+
+
+  template <int dim>
   NodeConstraint<dim> SlipCondition<dim>::constraint(const unsigned int particle,
                                                      const ParticleCloud<dim> &cloud) const
   {
+    if (const int facet = sticking_facet(particle, cloud); facet != ParticleCloud<dim>::no_facet)
+    {
+      NodeConstraint<dim> result;
+      result.n_fixed              = dim;
+      const unsigned int boundary = walls.facets()[facet].boundary;
+      result.moves                = step.moves(boundary);
+      if (result.moves)
+        result.velocity = step.velocity(boundary, cloud.position[particle]);
+      return result;
+    }
     if (cloud.kind[particle] == ParticleKind::fluid)
       return sliding(particle, cloud, [&](const unsigned int facet) {
         return step.normal_velocity(facet, cloud.position[particle]);

@@ -2,6 +2,8 @@
 
 #include <lahar/geometry/walls.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   namespace
@@ -106,6 +108,17 @@ namespace Lahar
     }
     std::sort(found.begin(), found.end());
     return found;
+  }
+
+
+
+  template <int dim>
+  bool Walls<dim>::is_hidden(const unsigned int facet, const Point<dim> &point) const
+  {
+    const std::vector<unsigned int> between =
+      crossed(point, point - signed_distance(facet, point) * normals[facet], 0., 0.);
+    return std::any_of(between.begin(), between.end(),
+                       [&](const unsigned int other) { return other != facet && all_facets[other].slip; });
   }
 
 

@@ -75,6 +75,7 @@ namespace Lahar
       wall.slip     = law->slips();
       wall.boundary = number;
       wall.moves    = motion->moves();
+      wall.sticks   = law->sticks();
     }
     return result;
   }

@@ -2,6 +2,7 @@
 
 #include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/point_set.h>
+#include <lahar/geometry/sharp_edges.h>
 #include <lahar/initial/initial_geometry.h>
 
 #include <algorithm>
@@ -232,6 +233,12 @@ namespace Lahar
     for (const Boundary<dim> &boundary : boundaries)
       names.push_back(boundary.name);
     walls = Walls<dim>(facets, names);
+    for (const auto &[p, boundary] : points_on_sharp_edges(walls, h))
+      if (!is_near(solid_facets, p, contact * h(p)) &&
+          std::none_of(bodies.begin(), bodies.end(), [&p = p, &h](const auto &body) {
+            return body->signed_distance(p) < 0.6 * h(p) + body->roughness();
+          }))
+        points.emplace_back(p, boundary);
     return points;
   }
 
@@ -271,15 +278,35 @@ namespace Lahar
     // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
     // come near to each other. Corners come first: they hold the shape.
     std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
-    const auto add = [&](const unsigned int b, const Point<dim> &p, const double clearance) {
+    const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
       const FluidBody<dim> &body = *bodies[b];
+      // What touches a wall without particles goes onto it, to the body's side.
+      const double aside = 0.25 * touching * h(p), reach = contact * h(p) + body.roughness();
+      std::vector<unsigned int> facets = walls.near(p, reach);
+      std::sort(facets.begin(), facets.end(), [&walls, p](const unsigned int f, const unsigned int g) {
+        return std::abs(walls.signed_distance(f, p)) < std::abs(walls.signed_distance(g, p));
+      });
+      for (const unsigned int facet : facets)
+        if (walls.facets()[facet].slip && std::abs(walls.signed_distance(facet, p)) < reach &&
+            walls.is_above(facet, p, touching * h(p)) && !walls.is_hidden(facet, p))
+        {
+          const Tensor<1, dim> shift = aside * walls.normal(facet);
+          p -= walls.signed_distance(facet, p) * walls.normal(facet);
+          p += (body.signed_distance(p + shift) < body.signed_distance(p - shift) ? shift : -shift);
+        }
+      const auto is_beyond_wall = [&](const Point<dim> &q) {
+        const auto crossed = walls.crossed(q, p, 0., touching * h(p));
+        return std::any_of(crossed.begin(), crossed.end(),
+                           [&](const unsigned int facet) { return walls.facets()[facet].slip; });
+      };
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
       for (const unsigned int i : places.near(p, clearance * h(p)))
-        if (body_of[i] == b
-              ? cloud.position[i].distance(p) < contact * h(p)
-              : body.signed_distance(cloud.position[i]) <
-                  (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness())
+        if (!is_beyond_wall(cloud.position[i]) &&
+            (body_of[i] == b
+               ? cloud.position[i].distance(p) < contact * h(p)
+               : body.signed_distance(cloud.position[i]) <
+                   (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness()))
           return;
       append(p, ParticleKind::fluid, fluid_of[b]);
       cloud.velocity.back() = fluids[fluid_of[b]].initial_velocity(p);
@@ -355,7 +382,7 @@ namespace Lahar
       for (const unsigned int i : simplex)
       {
         spacing    = std::max(spacing, cloud.spacing[i]);
-        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid;
+        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid || cloud.on_slip_wall(i);
       }
       return region.holds(corners_of<dim>(simplex, cloud.position),
                           (is_contact ? contact : touching) * spacing + roughness, 0.02 * spacing);

@@ -88,13 +88,25 @@ namespace Lahar
       return 1. / (any_wall ? rise.norm() : steepest);
     }
 
+    /// Whether an edge passes through a wall. Particles of walls and solids lie on them; fluid in contact lies off them, on
+    /// its side.
     template <int dim>
-    bool crosses_wall(const SimplexCorners<dim> &corners, const double h, const Walls<dim> &walls)
+    bool crosses_wall(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double h,
+                      const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                      const bool only_without_particles = false)
     {
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
-          if (!walls.crossed(corners[a], corners[b], 1e-3 * h, -1e-3 * h).empty())
-            return true;
+          for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., -1e-3 * h))
+          {
+            const auto is_beside = [&](const unsigned int c) {
+              const bool lands = walls.facets()[facet].slip && cloud.kind[simplex[c]] == ParticleKind::fluid;
+              return std::abs(walls.signed_distance(facet, corners[c])) >
+                     (lands ? 1e-2 * contact_offset : 1e-3) * cloud.spacing[simplex[c]];
+            };
+            if ((walls.facets()[facet].slip || !only_without_particles) && is_beside(a) && is_beside(b))
+              return true;
+          }
       return false;
     }
   } // namespace
@@ -151,7 +163,7 @@ namespace Lahar
     const auto corners = corners_of<dim>(simplex, cloud.position);
     const double h     = mean_spacing<dim>(simplex, cloud);
     return !is_excluded<dim>(simplex, corners, h, cloud) && circumradius<dim>(corners) < alpha * h &&
-           !crosses_wall<dim>(corners, h, walls);
+           !crosses_wall<dim>(simplex, corners, h, cloud, walls);
   }
 
 
@@ -162,7 +174,8 @@ namespace Lahar
   {
     const auto corners = corners_of<dim>(simplex, cloud.position);
     const double h     = mean_spacing<dim>(simplex, cloud);
-    return circumradius<dim>(corners) < alpha_keep * h && !crosses_wall<dim>(corners, h, walls);
+    return circumradius<dim>(corners) < alpha_keep * h &&
+           !crosses_wall<dim>(simplex, corners, h, cloud, walls);
   }
 
 
@@ -182,14 +195,16 @@ namespace Lahar
                                                                   : Verdict::becomes_fluid;
     }
 
+    const double h = mean_spacing<dim>(simplex, cloud);
+    if (crosses_wall<dim>(simplex, corners, h, cloud, walls, true))
+      return Verdict::no_fluid;
     if (old_domain.contains(simplex, centroid<dim>(corners)))
       return Verdict::stays_fluid;
 
-    const double h          = mean_spacing<dim>(simplex, cloud);
     const bool has_isolated = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] == ParticleKind::fluid && !old_domain.was_wet(particle);
     });
-    if (has_isolated || crosses_wall<dim>(corners, h, walls))
+    if (has_isolated || crosses_wall<dim>(simplex, corners, h, cloud, walls))
       return Verdict::no_fluid;
     if (dim == 3 && old_domain.leads_into_hollow(simplex, centroid<dim>(corners), cloud))
       return Verdict::stays_fluid;
@@ -218,23 +233,28 @@ namespace Lahar
                                            const ParticleCloud<dim> &cloud,
                                            const OldDomain<dim> &old_domain) const
   {
-    bool any_wet = false;
+    // Fluid in contact is a wet place of the wall; where there is no other, it lies round a hollow corner.
+    const auto is_fluid = [&](const unsigned int c) { return cloud.kind[simplex[c]] == ParticleKind::fluid; };
+    const auto is_wet   = [&](const unsigned int c) {
+      return is_fluid(c) ? cloud.on_slip_wall(simplex[c]) : old_domain.was_wet(simplex[c]);
+    };
+    bool any_wet = false, any_free = false;
+    for (unsigned int c = 0; c <= dim; ++c)
+    {
+      any_wet  = any_wet || is_wet(c);
+      any_free = any_free || (is_fluid(c) && !is_wet(c));
+    }
     for (unsigned int dry = 0; dry <= dim; ++dry)
     {
-      if (cloud.kind[simplex[dry]] == ParticleKind::fluid)
+      if (is_fluid(dry) || is_wet(dry))
         continue;
-      if (old_domain.was_wet(simplex[dry]))
-      {
-        any_wet = true;
-        continue;
-      }
-      bool reached = false;
+      bool reached = !any_free;
       for (unsigned int fluid = 0; fluid <= dim && !reached; ++fluid)
-        if (cloud.kind[simplex[fluid]] == ParticleKind::fluid)
+        if (is_fluid(fluid) && !is_wet(fluid))
         {
           reached = true;
           for (unsigned int wet = 0; wet <= dim; ++wet)
-            if (cloud.kind[simplex[wet]] != ParticleKind::fluid && old_domain.was_wet(simplex[wet]) &&
+            if (is_wet(wet) &&
                 corners[fluid].distance_square(corners[wet]) <= corners[fluid].distance_square(corners[dry]))
               reached = false;
         }

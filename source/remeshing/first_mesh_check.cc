@@ -37,12 +37,13 @@ namespace Lahar
     std::map<std::pair<unsigned int, unsigned int>, std::array<bool, 2>> sides;
     for (const Simplex<dim> &cell : mesh.particle_cells())
       for (const unsigned int i : cell)
-        if (cloud.is_own(i) && (cloud.kind[i] == ParticleKind::wall || cloud.on_slip_wall(i)))
+        if (cloud.is_own(i) && cloud.kind[i] == ParticleKind::wall)
           for (const unsigned int f : walls.near(cloud.position[i], on_facet * cloud.spacing[i]))
             for (const unsigned int other : cell)
             {
               const double height = walls.signed_distance(f, cloud.position[other]) / cloud.spacing[i];
-              if (std::abs(walls.signed_distance(f, cloud.position[i])) < on_facet * cloud.spacing[i] &&
+              if (!walls.facets()[f].slip &&
+                  std::abs(walls.signed_distance(f, cloud.position[i])) < on_facet * cloud.spacing[i] &&
                   cloud.kind[other] == ParticleKind::fluid && std::abs(height) > on_facet &&
                   walls.is_above(f, cloud.position[other], 0.))
                 sides[{i, f}][height > 0.] = true;

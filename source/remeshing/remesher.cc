@@ -3,6 +3,7 @@
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/volume_correction.h>
+#include <lahar/remeshing/wall_segments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,9 @@ namespace Lahar
 
   template <int dim>
   std::vector<Simplex<dim>>
-  Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud, const std::vector<Facet> &solid_facets,
-                                const Migration<dim> &migration, unsigned int &n_forced) const
+  Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                const std::vector<Facet> &solid_facets, const Migration<dim> &migration,
+                                unsigned int &n_forced) const
   {
     std::vector<bool> own(cloud.size(), false);
     double largest_spacing = 0.;
@@ -76,15 +78,22 @@ namespace Lahar
 
     n_forced = 0;
     if constexpr (dim == 2)
-      if (!solid_facets.empty())
+    {
+      std::vector<Facet> segments = solid_facets;
+      for (const Facet &segment : find_wall_segments(cloud, walls, 2. * reach))
+        segments.push_back(segment);
+      // All ranks take the same way: each waits for what the others ask of it.
+      if (migration.is_alone() ? !segments.empty()
+                               : Utilities::MPI::max(segments.size(), migration.communicator()) > 0)
       {
         std::vector<bool> forced;
         const auto candidates = local_constrained_delaunay({cloud, own, reach, is_own_candidate, migration},
-                                                           solid_facets, forced);
-        for (unsigned int f = 0; f < forced.size(); ++f)
+                                                           segments, forced);
+        for (unsigned int f = 0; f < solid_facets.size(); ++f)
           n_forced += (forced[f] && cloud.is_own(solid_facets[f][0]));
         return candidates;
       }
+    }
     return local_delaunay<dim>(cloud, own, reach, is_own_candidate, migration);
   }
 
@@ -97,7 +106,7 @@ namespace Lahar
   {
     unsigned int n_forced;
     std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &simplex : own_candidates(cloud, solid_facets, migration, n_forced))
+    for (const Simplex<dim> &simplex : own_candidates(cloud, walls, solid_facets, migration, n_forced))
       if (region(simplex, cloud) && alpha_shape.accepts_first(simplex, cloud, walls))
         cells.push_back(simplex);
     mesh.reinit(cloud, cells);
@@ -128,7 +137,7 @@ namespace Lahar
     particle_spacing.adapt(cloud, walls, mesh, old_domain, migration);
 
     std::vector<typename Migration<dim>::MarkedCell> own_cells; // by whether they were no fluid before
-    for (const Simplex<dim> &simplex : own_candidates(cloud, solid_facets, migration, report.n_forced))
+    for (const Simplex<dim> &simplex : own_candidates(cloud, walls, solid_facets, migration, report.n_forced))
     {
       const auto verdict = alpha_shape.judge(simplex, cloud, walls, old_domain, time_step);
       if (verdict != AlphaShape<dim>::Verdict::no_fluid)

@@ -105,17 +105,18 @@ void test_2d()
   cloud.velocity[into]                                    = Point<2>(-3., 0.);
   cloud.position[away]                                    = {1.2, 0.011};
   slip.update(old_position, cloud);
-  check("through the floor: put on it", (cloud.position[through] - Point<2>(0.52, 0.)).norm(), 1e-15);
+  const double off = contact_offset * h; // on its side of the facet
+  check("through the floor: put on it", (cloud.position[through] - Point<2>(0.52, off)).norm(), 1e-15);
   check("and slides",
         (cloud.velocity[through] - Point<2>(2., 0.)).norm() +
           (cloud.acceleration[through] - Point<2>(1., 0.)).norm(),
         1e-15);
   check_frame<2>("through the floor", slip.constraint(through, cloud), {e_y});
-  check("near the floor: put on it", (cloud.position[close] - Point<2>(0.72, 0.)).norm(), 1e-15);
-  check("skew wall: put on it", (cloud.position[to_skew] - Point<2>(3.5, 1.5)).norm(), 1e-14);
+  check("near the floor: put on it", (cloud.position[close] - Point<2>(0.72, off)).norm(), 1e-15);
+  check("skew wall: put on it", (cloud.position[to_skew] - Point<2>(3.5, 1.5)).norm() - off, 1e-14);
   check("keeps its tangential velocity", (cloud.velocity[to_skew] - Point<2>(2., 2.)).norm(), 1e-14);
   check("over the rim: free", !cloud.on_slip_wall(over));
-  check("into the corner: put there", cloud.position[into].norm(), 1e-15);
+  check("into the corner: put there", (cloud.position[into] - Point<2>(off, off)).norm(), 1e-15);
   check("and stopped", cloud.velocity[into].norm(), 1e-15);
   check_frame<2>("into the corner", slip.constraint(into, cloud), {e_x, e_y});
   check("above the distance of contact: free", !cloud.on_slip_wall(away));

@@ -165,9 +165,9 @@ void test_parts()
   Part left     = fluid_of("box", {{"Corners", "0, 0 : 1, 1"}}, "left"),
        right    = fluid_of("polygon", {{"Corners", "2, 0 : 3, 0 : 3, 1 : 2, 1"}}, "right");
   right.further = {{"Initial velocity", "x; -2*y"}};
-  const Case c({left, right, boundary_of("polyline", {{"Points", "0, 0 : 3, 0"}}, "no slip", "floor"),
+  const Case c({left, right, boundary_of("polyline", {{"Points", "0, 0 : 3, 0"}}, "wall particles", "floor"),
                 boundary_of("polyline", {{"Points", "0, 0 : 0, 2; 3, 0 : 3, 2"}}, "free slip", "sides"),
-                boundary_of("polyline", {{"Points", "0, 3 : 3, 3"}}, "no slip", "lid")},
+                boundary_of("polyline", {{"Points", "0, 3 : 3, 3"}}, "wall particles", "lid")},
                0.1);
   bool parts = true, moves = true;
   for (unsigned int i = 0; i < c.cloud.size(); ++i)
@@ -188,7 +188,7 @@ void test_parts()
   check("walls know the names of the boundaries",
         c.walls.boundary_names() == std::vector<std::string>({"floor", "sides", "lid"}));
   const InitialGeometry<2> geometry = make_geometry<2>(
-    {left, boundary_of("polyline", {{"Points", "0, 0 : 1, 0 : 1, 2"}}, "no slip", "floor"),
+    {left, boundary_of("polyline", {{"Points", "0, 0 : 1, 0 : 1, 2"}}, "wall particles", "floor"),
      boundary_of("polyline", {{"Points", "0, 0 : 0, 2; 3, 0 : 3, 2"}}, "free slip", "sides")});
   check("messages call walls by their boundary", geometry.wall_name(1) == "'floor'" &&
                                                    geometry.wall_name(2) == "number 1 of 'sides'" &&

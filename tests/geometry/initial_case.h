@@ -36,19 +36,19 @@ namespace Tests
   }
 
   inline Part boundary_of(const std::string &shape, const Entries &of_shape,
-                          const std::string &law = "no slip", const std::string &name = "walls")
+                          const std::string &law = "wall particles", const std::string &name = "walls")
   {
     return {"Boundaries", name, shape, of_shape, {{"Law", law}}};
   }
 
   /// Walls in the plane.
-  inline Part lines(const std::string &points, const std::string &law = "no slip")
+  inline Part lines(const std::string &points, const std::string &law = "wall particles")
   {
     return boundary_of("polyline", {{"Points", points}}, law);
   }
 
   /// Walls in space.
-  inline Part planes(const std::string &corners, const std::string &law = "no slip")
+  inline Part planes(const std::string &corners, const std::string &law = "wall particles")
   {
     return boundary_of("polygon", {{"Corners", corners}}, law);
   }

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The coupled and the segregated scheme agree on front and pressure within the nonlinear tolerance.
 
-After an impact small differences grow. There the fronts must agree within a mesh size, no step may be repeated, and the
-segregated scheme may take half as many iterations again as the coupled one. All forms of the stabilisation agree on the
+After an impact small differences grow: a tolerance of 1e-6 instead of 1e-4 changes the momentum by 2 %, the kinetic energy
+by 3 % and where the tip of the jet, one cell thick, is by half a mesh size. There momentum and energy must agree within 3
+and 5 %, no step may be repeated, and the segregated scheme may take half as many iterations again as the coupled one. All forms of the stabilisation agree on the
 front of a collapsing column within a mesh size.
 """
 
@@ -34,13 +35,13 @@ def compare_forms(check, reference):
 
 
 def compare_impacts(check):
-    mesh_size = 0.012
     coupled, segregated = (read_run(check.run("schemes/impact.prm", f"Nonlinear solver/Scheme={scheme}"))
                            for scheme in ("coupled", "segregated"))
-    for column in ("front (m)", "height (m)"):
-        times = coupled["Time (s)"]
+    times = coupled["Time (s)"]
+    for column, tolerance in (("Momentum x (N s)", 0.03), ("Momentum y (N s)", 0.03), ("Kinetic energy (J)", 0.05)):
         difference = np.abs(coupled[column] - np.interp(times, segregated["Time (s)"], segregated[column])).max()
-        check.below(f"{column} at an impact, largest difference over the mesh size", difference / mesh_size, 1.)
+        check.below(f"{column} at an impact, largest difference over its largest value",
+                    difference / np.abs(coupled[column]).max(), tolerance)
     check.below("repeated steps of the segregated scheme", segregated["Rejected steps"].max(), 0.)
     check.below("its iterations over those of the coupled scheme",
                 segregated["Nonlinear iterations"].sum() / coupled["Nonlinear iterations"].sum(), 1.5)

@@ -13,13 +13,14 @@ import math
 
 import numpy as np
 
-from verification import ROOT, Check, read_run, run_check, volume_changes  # adds contrib/plot to the path
+from verification import ROOT, Check, read_pvd, read_run, read_vtu, run_check, volume_changes  # adds contrib/plot to the path
 
 from thin_layer import GRAVITY, Cone, arrested_spread, spread
 
 MINI = Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182)
 ABRAMS = Cone(0.3, 0.1, 0.05, 2200., 255., 32.)
 END = 0.5
+SIZE = 0.01
 
 
 def check_theory(check):
@@ -36,11 +37,19 @@ def check_theory(check):
 def main():
     check = Check(__doc__)
     check_theory(check)
-    statistics = read_run(check.run(ROOT / "prm" / "slump" / "mini_cone.prm", "Mesh size=0.01", f"End time={END}"))
+    directory = check.run(ROOT / "prm" / "slump" / "mini_cone.prm", f"Mesh size={SIZE}", f"End time={END}")
+    statistics = read_run(directory)
     # The front flickers by a part of the mesh size: the mean of four directions and of some time.
     last = statistics["Time (s)"] > END - 0.06
     measured = np.mean([statistics[f"spread{direction} (m)"][last].mean() for direction in ("", " 45", " 90", " 135")])
     check.near(f"spread at {END - 0.03:.2f} s (m)", measured, spread(MINI, [END - 0.03], rings_until=0.12)[0], 0.03)
+    # The rim: what of the flow is farthest from the axis, by sectors of 1.5 mesh sizes.
+    mesh = read_vtu(read_pvd(directory / "solution.pvd")[-1][1], 3)
+    radius, angle = np.hypot(*mesh.points.T[:2]), np.arctan2(mesh.points[:, 1], mesh.points[:, 0])
+    n_sectors = int(2. * math.pi * radius.max() / (1.5 * SIZE))
+    sector = ((angle / (2. * math.pi) + 0.5) * n_sectors).astype(int) % n_sectors
+    rim = np.array([radius[sector == k].max() for k in range(n_sectors)])
+    check.below("standard deviation of the rim over the angle, over the mesh size", rim.std() / SIZE, 0.25)
     for cause, change in zip(("solver", "remeshing"), volume_changes(statistics)):
         check.below(f"volume change by {cause}", change, 5e-3)
     check.finish()

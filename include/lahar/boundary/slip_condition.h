@@ -44,7 +44,15 @@ namespace Lahar
     NodeConstraint<dim> constraint(const unsigned int particle, const ParticleCloud<dim> &cloud) const;
 
   private:
-    void attach(const unsigned int particle, const unsigned int facet, ParticleCloud<dim> &cloud) const;
+    /// A facet to which the particle sticks, ParticleCloud::no_facet if there is none.
+    int sticking_facet(const unsigned int particle, const ParticleCloud<dim> &cloud) const;
+
+    /// Put a particle in contact with a facet, on that @p side of it (1: that of the normal, or −1).
+    void attach(const unsigned int particle, const unsigned int facet, const int side,
+                ParticleCloud<dim> &cloud) const;
+
+    /// On which side of a facet a point is at the end of the step.
+    int side_of(const unsigned int facet, const Point<dim> &point) const;
 
     /// What the slip facets of a particle prescribe, if the wanted component along a facet's normal is @p speed (m/s).
     NodeConstraint<dim> sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,

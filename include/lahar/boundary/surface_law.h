@@ -36,6 +36,12 @@ namespace Lahar
     /// Whether fluid slides along the surface (SlipCondition); it sticks to particles of the surface otherwise.
     virtual bool slips() const = 0;
 
+    /// Whether fluid that lies on the surface goes with it.
+    virtual bool sticks() const
+    {
+      return false;
+    }
+
     /// Whether a surface along which fluid slides resists.
     virtual bool resists() const
     {

@@ -76,11 +76,19 @@ namespace Lahar
                              : Tensor<1, dim>();
     }
 
-    /// How fast a facet comes to a point, at @p point at the start, that is to be on the facet's plane at the end: the
-    /// component of the point's mean velocity along the facet's normal at the end, m/s.
+    /// How fast a point, at @p point at the start, moves along a facet's normal at the end if it keeps its distance from
+    /// the facet's plane, m/s.
     double normal_velocity(const unsigned int facet, const Point<dim> &point) const
     {
-      return facet_moves(facet) ? -end().signed_distance(facet, point) / length : 0.;
+      return facet_moves(facet)
+               ? (start.signed_distance(facet, point) - end().signed_distance(facet, point)) / length
+               : 0.;
+    }
+
+    /// On which side of a facet a point is, at @p point at the start of the step: 1 or −1.
+    int side_at_start(const unsigned int facet, const Point<dim> &point) const
+    {
+      return start.signed_distance(facet, point) < 0. ? -1 : 1;
     }
 
     /// Facets that a particle's way from @p a to @p b passes through, each in the frame of its boundary; see

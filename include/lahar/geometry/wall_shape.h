@@ -28,6 +28,7 @@ namespace Lahar
     bool slip             = false;                        ///< see WallFacet
     unsigned int boundary = 0;                            ///< see WallFacet
     bool moves            = false;                        ///< see WallFacet
+    bool sticks           = false;                        ///< see WallFacet
 
     std::vector<WallFacet<dim>> facets() const;
 

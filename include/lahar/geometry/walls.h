@@ -24,7 +24,15 @@ namespace Lahar
     bool slip             = false; ///< fluid slides along it (SlipCondition) instead of sticking to it
     unsigned int boundary = 0;     ///< the number of the case's boundary that it belongs to
     bool moves            = false; ///< whether that boundary moves in the run
+    bool sticks           = false; ///< fluid that lies on it goes with it
   };
+
+  /// Fluid particles that lie on a facet are this times their spacing away from it, on their side of it.
+  constexpr double contact_offset = 1e-8;
+
+  /// Facets go on smoothly into each other where the cosine of the angle between their normals exceeds this: a particle
+  /// slides from one to the next. At sharper edges it belongs to both.
+  constexpr double smooth_joint = 0.7;
 
   /**
    * The rigid walls of a case, as flat facets.
@@ -71,6 +79,9 @@ namespace Lahar
      */
     std::vector<unsigned int> crossed(const Point<dim> &a, const Point<dim> &b, const double tolerance,
                                       const double rim) const;
+
+    /// Whether another facet without particles lies between @p point and its foot on the plane of @p facet.
+    bool is_hidden(const unsigned int facet, const Point<dim> &point) const;
 
   private:
     std::vector<WallFacet<dim>> all_facets;

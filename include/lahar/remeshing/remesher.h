@@ -108,7 +108,7 @@ namespace Lahar
      * @param n_forced as in Report.
      * @throws RunError if the contours of two solids cross.
      */
-    std::vector<Simplex<dim>> own_candidates(const ParticleCloud<dim> &cloud,
+    std::vector<Simplex<dim>> own_candidates(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                              const std::vector<Facet> &solid_facets,
                                              const Migration<dim> &migration, unsigned int &n_forced) const;
 

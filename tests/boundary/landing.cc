@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Test how fluid lands on walls: it sticks where the law says so, keeps to its side of walls without thickness and of
+// thin bodies, goes on along smooth surfaces and stays in sharp hollow corners; and which edges of walls are sharp.
+
+#include <lahar/boundary/slip_condition.h>
+#include <lahar/geometry/sharp_edges.h>
+
+#include <algorithm>
+
+#include "tests.h"
+
+using namespace Tests;
+
+WallFacet<2> line(const Point<2> &a, const Point<2> &b, const bool sticks, const unsigned int boundary = 0)
+{
+  return {{{a, b}}, true, boundary, false, sticks};
+}
+
+void test_sticking()
+{
+  const Walls<2> walls({line({0., 0.}, {2., 0.}, true), line({2., 0.}, {4., 0.}, false)});
+  const WallStep<2> standing(walls);
+  const SlipCondition<2> contact(standing);
+  ParticleCloud<2> cloud;
+  const double h                           = 0.1;
+  const std::vector<Point<2>> old_position = {{1., 0.02}, {3., 0.02}};
+  for (const Point<2> &p : old_position)
+  {
+    const unsigned int i = cloud.append(p, ParticleKind::fluid, h);
+    cloud.position[i] += Point<2>(0.01, -0.03);
+    cloud.velocity[i]     = Point<2>(1., -3.);
+    cloud.acceleration[i] = Point<2>(5., -9.);
+  }
+  contact.update(old_position, cloud);
+  check("sticks: at rest where it lands", cloud.velocity[0].norm() + cloud.acceleration[0].norm() == 0. &&
+                                            contact.constraint(0, cloud).n_fixed == 2);
+  check("sticks: on its side", (cloud.position[0] - Point<2>(1.01, contact_offset * h)).norm(), 1e-15);
+  check("slides: only its normal velocity is fixed",
+        (cloud.velocity[1] - Point<2>(1., 0.)).norm() < 1e-15 && contact.constraint(1, cloud).n_fixed == 1);
+}
+
+void test_sides()
+{
+  // A wall without thickness, and a plate of 0.04 h.
+  const Walls<2> walls({line({0., 0.}, {0., 1.}, false), line({1., 0.}, {1., 1.}, false),
+                        line({1.004, 1.}, {1.004, 0.}, false)});
+  const WallStep<2> standing(walls);
+  const SlipCondition<2> contact(standing);
+  ParticleCloud<2> cloud;
+  const double h                           = 0.1;
+  const std::vector<Point<2>> old_position = {{-0.02, 0.5}, {0.02, 0.5}, {-0.03, 0.6},
+                                              {0.98, 0.5},  {1.02, 0.5}, {0.97, 0.6}};
+  const std::vector<double> moved_to       = {-0.001, 0.001, 0.01, 0.998, 1.006, 1.02};
+  const std::vector<double> expected       = {0., 0., 0., 1., 1.004, 1.};
+  const std::vector<int> sides             = {-1, 1, -1, -1, 1, -1};
+  for (unsigned int i = 0; i < old_position.size(); ++i)
+  {
+    cloud.append(old_position[i], ParticleKind::fluid, h);
+    cloud.position[i][0] = moved_to[i];
+  }
+  contact.update(old_position, cloud);
+  double error = 0.;
+  for (unsigned int i = 0; i < old_position.size(); ++i)
+    error = std::max(error, std::abs(cloud.position[i][0] - expected[i] - sides[i] * contact_offset * h));
+  check("each particle on its side of the wall and of the plate", error, 1e-15);
+  check("what is on either side passes through it",
+        walls.crossed(cloud.position[0], cloud.position[1], 0., 0.).size() == 1 &&
+          walls.crossed(cloud.position[0], cloud.position[2], 0., 0.).empty());
+  check("a facet hides the one behind it",
+        walls.is_hidden(2, {0.99, 0.5}) && !walls.is_hidden(1, {0.99, 0.5}));
+}
+
+void test_joints()
+{
+  // A hollow of pieces at 20 degrees to each other, then a corner of 90 degrees.
+  const double s = std::sin(numbers::PI / 9.), c = std::cos(numbers::PI / 9.);
+  const Point<2> joint(1., 0.), end(1. + c, s);
+  const Walls<2> walls(
+    {line({0., 0.}, joint, false), line(joint, end, false), line(end, end + Point<2>(-s, c), false)});
+  const WallStep<2> standing(walls);
+  const SlipCondition<2> contact(standing);
+  ParticleCloud<2> cloud;
+  const double h          = 0.1;
+  const unsigned int i    = cloud.append({0.99, contact_offset * h}, ParticleKind::fluid, h);
+  cloud.slip_facets[i][0] = 0;
+  std::vector<Point<2>> old_position;
+  const auto move_to = [&](const Point<2> &p) {
+    old_position      = cloud.position;
+    cloud.position[i] = p;
+    contact.update(old_position, cloud);
+  };
+  const auto facets = [&] { return cloud.slip_facets[i]; };
+  const int none    = ParticleCloud<2>::no_facet;
+  move_to({0.995, contact_offset * h});
+  check("near the next piece it stays on the first", facets() == std::array<int, 2>{{0, none}});
+  move_to({1.01, contact_offset * h});
+  check("beyond the joint it goes on along the next", facets() == std::array<int, 2>{{1, none}});
+  check("on its side of it",
+        walls.signed_distance(1, cloud.position[i]) * (walls.normal(1)[1] > 0. ? 1. : -1.) -
+          contact_offset * h,
+        1e-15);
+  check("sliding freely", contact.constraint(i, cloud).n_fixed == 1);
+  move_to(Point<2>(end - 0.005 * Point<2>(c, s) + contact_offset * h * Point<2>(-s, c)));
+  check("at a sharp corner it belongs to both",
+        facets() == std::array<int, 2>{{2, 1}} || facets() == std::array<int, 2>{{1, 2}});
+  check("and stands", contact.constraint(i, cloud).n_fixed == 2);
+}
+
+template <int dim>
+unsigned int number_at(const std::vector<std::pair<Point<dim>, unsigned int>> &points,
+                       const Point<dim> &place)
+{
+  return std::count_if(points.begin(), points.end(),
+                       [&](const auto &point) { return point.first.distance(place) < 1e-12; });
+}
+
+void test_sharp_edges()
+{
+  // A floor with an upright wall in its middle, a bend of 20 degrees and an upright end; another wall slips.
+  const double s = std::sin(numbers::PI / 9.), c = std::cos(numbers::PI / 9.);
+  const Point<2> bend(1., 0.), end(1. + c, s);
+  const Walls<2> walls({line({-1., 0.}, bend, true), line(bend, end, true),
+                        line(end, end + Point<2>(0., 1.), true), line({0., 0.}, {0., 1.}, true, 1),
+                        line({5., 0.}, {5., 1.}, false)});
+  const auto points = points_on_sharp_edges(walls, MeshSize<2>(0.1));
+  check("free ends", number_at<2>(points, {-1., 0.}) == 1 && number_at<2>(points, {0., 1.}) == 1);
+  check("a sharp corner, from both of its lines", number_at<2>(points, end) == 2);
+  check("no smooth bend, no foot of another wall, no wall that slips", points.size() == 5);
+
+  // A box of 2 × 1 × 1 mesh sizes on a floor of two triangles.
+  std::vector<WallFacet<3>> facets;
+  const auto quadrangle = [&](const Point<3> &a, const Tensor<1, 3> &u, const Tensor<1, 3> &v) {
+    facets.push_back({{{a, a + u, a + u + v}}, true, 0, false, true});
+    facets.push_back({{{a, a + u + v, a + v}}, true, 0, false, true});
+  };
+  const Point<3> o(0., 0., 0.), x(2., 0., 0.), y(0., 1., 0.), z(0., 0., 1.);
+  quadrangle(Point<3>(-5., -5., 0.), Point<3>(10., 0., 0.), Point<3>(0., 10., 0.));
+  quadrangle(o, x, z);
+  quadrangle(y, x, z);
+  quadrangle(o, y, z);
+  quadrangle(x, y, z);
+  quadrangle(z, x, y);
+  const auto of_box = points_on_sharp_edges(Walls<3>(facets), MeshSize<3>(1.));
+  std::vector<Point<3>> above;
+  unsigned int n_inside = 0;
+  for (const auto &[p, boundary] : of_box)
+    if (std::abs(p[0]) < 4.9 && std::abs(p[1]) < 4.9)
+    {
+      n_inside += (p[2] < 0.5);
+      if (std::none_of(above.begin(), above.end(),
+                       [&p = p](const Point<3> &q) { return p.distance(q) < 1e-12; }))
+        above.push_back(p);
+    }
+  // 4 upright edges with two ends each, and the middles of the two long edges on top.
+  check("edges of the box, not its feet between the corners, not the diagonals", above.size() == 10);
+  check("the feet of the upright edges are held from both sides", n_inside == 8);
+  check("the floor's rim", std::any_of(of_box.begin(), of_box.end(), [](const auto &point) {
+          return point.first.distance(Point<3>(-5., 0., 0.)) < 1e-12;
+        }));
+}
+
+int main()
+{
+  test_sticking();
+  test_sides();
+  test_joints();
+  test_sharp_edges();
+  return n_failed > 0;
+}

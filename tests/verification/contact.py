@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact with walls: pools on both sides of a wall without thickness rest, with the force of the difference of their
+levels; nothing passes it in a splash; nothing gets into pillars, and mirror images feel the same force."""
+
+import numpy as np
+
+from verification import Check, read_pvd, read_run, read_vtu, run_check, volume_changes
+
+WEIGHT = 9810.
+PILLAR = np.array([[0.15, 0.03, 0.], [0.19, 0.07, 0.12]])  # its mirror image has −y
+
+
+def check_partition(check):
+    force = WEIGHT * 0.5 * (0.4**2 - 0.1**2)
+    for law in ("no slip", "free slip"):
+        run = read_run(check.run("contact/partition.prm", f"Boundaries/tank/Law={law}", f"Boundaries/partition/Law={law}"))
+        check.below(f"pools, {law}: force on the partition over the exact one less 1",
+                    np.abs(run["partition force x (N)"] / force - 1.).max(), 1e-7)
+        check.below(f"pools, {law}: levels off (m)", max(np.abs(run["left level (m)"] - 0.4).max(),
+                                                        np.abs(run["right level (m)"] - 0.1).max()), 1e-9)
+        check.below(f"pools, {law}: kinetic energy (J)", run["Kinetic energy (J)"].max(), 1e-15)
+
+
+def check_splash(check):
+    for law in ("no slip", "free slip"):
+        run = read_run(check.run("contact/splash.prm", f"Boundaries/partition/Law={law}"))
+        check.below(f"splash, {law}: how far fluid comes through the wall (m)", run["front (m)"].max() - 0.5, 1e-9)
+        check.below(f"splash, {law}: change of the level beyond (m)", np.abs(run["level (m)"] - 0.1).max(), 1e-8)
+        for cause, change in zip(("solver", "remeshing"), volume_changes(run)):
+            check.below(f"splash, {law}: volume change by {cause}", change, 1e-3)
+
+
+def check_pillars(check):
+    directory = check.run("contact/pillars.prm")
+    run = read_run(directory)
+    inside, weights = 0., np.random.default_rng(1).dirichlet(np.ones(4), 200)
+    for _, path in read_pvd(directory / "solution.pvd"):
+        mesh = read_vtu(path, 3)
+        places = np.einsum("kc,ncd->nkd", weights, mesh.points[mesh.cells])
+        places[..., 1] = np.abs(places[..., 1])
+        inside = max(inside, ((places > PILLAR[0] + 1e-6) & (places < PILLAR[1] - 1e-6)).all(axis=2).mean(axis=1).max())
+    check.below("pillars: largest part of a cell inside", inside, 0.)
+    impulse = {name: np.array([np.sum(run[f"{name} force {d} (N)"] * run["Time step size (s)"]) for d in "xy"])
+               for name in ("left", "right")}
+    mirror = impulse["right"] * [1., -1.]
+    check.below("pillars: difference of the mirror images' impulses",
+                np.linalg.norm(impulse["left"] - mirror) / np.linalg.norm(impulse["left"]), 0.15)
+
+
+def main():
+    check = Check(__doc__)
+    check_partition(check)
+    check_splash(check)
+    check_pillars(check)
+    check.finish()
+
+
+run_check(main)
