@@ -89,11 +89,12 @@ namespace Lahar
     }
 
     template <int dim>
-    bool crosses_wall(const SimplexCorners<dim> &corners, const double h, const Walls<dim> &walls)
+    bool crosses_wall(const SimplexCorners<dim> &corners, const double h, const Walls<dim> &walls,
+                      const double tolerance = 1e-3)
     {
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
-          if (!walls.crossed(corners[a], corners[b], 1e-3 * h, -1e-3 * h).empty())
+          if (!walls.crossed(corners[a], corners[b], tolerance * h, -1e-3 * h).empty())
             return true;
       return false;
     }
@@ -162,7 +163,9 @@ namespace Lahar
   {
     const auto corners = corners_of<dim>(simplex, cloud.position);
     const double h     = mean_spacing<dim>(simplex, cloud);
-    return circumradius<dim>(corners) < alpha_keep * h && !crosses_wall<dim>(corners, h, walls);
+    // Chords between points of uneven ground pass a little below it.
+    constexpr double uneven = 0.1;
+    return circumradius<dim>(corners) < alpha_keep * h && !crosses_wall<dim>(corners, h, walls, uneven);
   }
 
 
