@@ -141,12 +141,23 @@ namespace Lahar
   template <int dim>
   double MeshBody<dim>::signed_distance(const Point<dim> &point) const
   {
-    // By the distance of the boxes around the facets, which is at most that of the facets.
-    double distance = std::numeric_limits<double>::max();
-    for (auto box = facet_tree.qbegin(boost::geometry::index::nearest(point, facet_tree.size()));
-         box != facet_tree.qend() && distance_to(box->first, point) < distance; ++box)
-      distance = std::min(distance,
-                          nearest_point<dim>(facets.facets()[box->second].corners, point).distance(point));
+    // By the distance of the boxes around the facets, which is at most that of the facets. A query for all boxes at once
+    // would sort many that are not needed.
+    double distance = std::numeric_limits<double>::max(), of_boxes = 0.;
+    for (std::size_t n = 8; of_boxes < distance; n *= 8)
+    {
+      for (const NumberedBox &box :
+           facet_tree | boost::geometry::index::adaptors::queried(boost::geometry::index::nearest(point, n)))
+      {
+        const double of_box = distance_to(box.first, point);
+        of_boxes            = std::max(of_boxes, of_box);
+        if (of_box < distance)
+          distance = std::min(distance,
+                              nearest_point<dim>(facets.facets()[box.second].corners, point).distance(point));
+      }
+      if (n >= facet_tree.size())
+        break;
+    }
     return is_inside(point) ? -distance : distance;
   }
 
@@ -206,7 +217,8 @@ namespace Lahar
   namespace
   {
     /// Append the middles of edges by which a facet must be bisected until none is longer than 1.4 h.
-    void bisect(const std::array<Point<3>, 3> &corners, const MeshSize<3> &h, std::vector<Point<3>> &middles)
+    void bisect(const std::array<Point<3>, 3> &corners, const SizeFunction<3> &h,
+                std::vector<Point<3>> &middles)
     {
       unsigned int opposite = 3;
       double longest        = 1.4;
@@ -231,7 +243,8 @@ namespace Lahar
     }
 
     /// Append the beginnings of pieces of a polyline that have nearly equal integrals ∫ ds/h.
-    void append_pieces(const std::vector<Point<2>> &line, const MeshSize<2> &h, std::vector<Point<2>> &points)
+    void append_pieces(const std::vector<Point<2>> &line, const SizeFunction<2> &h,
+                       std::vector<Point<2>> &points)
     {
       std::vector<Point<2>> places(1, line[0]);
       std::vector<double> integral(1, 0.);
@@ -261,7 +274,7 @@ namespace Lahar
 
 
   template <>
-  std::vector<Point<2>> MeshBody<2>::divided_contour(const MeshSize<2> &h) const
+  std::vector<Point<2>> MeshBody<2>::divided_contour(const SizeFunction<2> &h) const
   {
     std::multimap<unsigned int, unsigned int> next;
     for (const auto &[a, b] : facet_nodes)
@@ -300,7 +313,7 @@ namespace Lahar
 
 
   template <>
-  std::vector<Point<3>> MeshBody<3>::divided_contour(const MeshSize<3> &h) const
+  std::vector<Point<3>> MeshBody<3>::divided_contour(const SizeFunction<3> &h) const
   {
     std::vector<Point<3>> points;
     for (const WallFacet<3> &facet : facets.facets())
@@ -326,18 +339,26 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &h) const
+  std::vector<Point<dim>> MeshBody<dim>::contour_points(const SizeFunction<dim> &h) const
   {
     std::vector<std::vector<Point<dim>>> by_rank(dim + 1);
     for (const Point<dim> &p : divided_contour(h))
       by_rank[n_normals_at(p)].push_back(p);
-    std::vector<Point<dim>> contour;
+    std::vector<Point<dim>> result;
     PointSet<dim> places;
     for (unsigned int rank = dim + 1; rank-- > 1;)
       for (const Point<dim> &p : by_rank[rank])
         if (places.insert_if_free(p, (rank == dim ? 0.1 : dim == 2 ? 0.5 : 0.7) * h(p)))
-          contour.push_back(p);
-    return fill_inside(*this, contour, h);
+          result.push_back(p);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &h) const
+  {
+    return fill_inside(*this, contour_points(h), h);
   }
 
 

@@ -85,14 +85,17 @@ namespace Lahar
   template <int dim>
   std::vector<std::string> Boundary<dim>::warnings(const double h) const
   {
+    std::vector<std::string> result = shape->check_scale("boundary '" + name + "'", h);
     if (shape->scale_path().empty())
-      return {};
+      return result;
     std::vector<Point<dim>> corners;
     for (const WallShape<dim> &wall : shape->walls())
       for (const WallFacet<dim> &facet : wall.facets())
         corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
-    return warn_of_extent("the walls of boundary '" + name + "'", box_around(corners), h,
-                          shape->scale_path());
+    for (const std::string &text :
+         warn_of_extent("the walls of boundary '" + name + "'", box_around(corners), h, shape->scale_path()))
+      result.push_back(text);
+    return result;
   }
 
 

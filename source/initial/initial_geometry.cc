@@ -122,10 +122,12 @@ namespace Lahar
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
+      const Box<dim> box = bodies[b]->box();
       for (const WallShape<dim> &wall : wall_shapes)
       {
         for (const Point<dim> &p : wall.samples(h))
-          check(*bodies[b], p, "boundary " + wall.name);
+          if (box.contains(p, 0.))
+            check(*bodies[b], p, "boundary " + wall.name);
         if (wall.holds(fillings[b], touching * h))
           continue;
         for (const Point<dim> &p : fillings[b])

@@ -88,25 +88,47 @@ namespace Lahar
       return 1. / (any_wall ? rise.norm() : steepest);
     }
 
-    /// Whether an edge passes through a wall. Particles of walls and solids lie on them; fluid in contact lies off them, on
-    /// its side.
+    /**
+     * Whether an edge of the simplex passes through a wall. Particles of walls and solids lie on them; fluid in contact lies
+     * off them, on its side. An edge that goes in and out again where a surface is smooth is its chord: fluid, too.
+     *
+     * @param only_without_particles look at walls without particles only.
+     * @param uneven how deep, over h, an edge may pass below a wall that carries particles.
+     */
     template <int dim>
     bool crosses_wall(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double h,
                       const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                      const bool only_without_particles = false)
+                      const bool only_without_particles = false, const double uneven = 1e-3)
     {
+      std::vector<Tensor<1, dim>>
+        towards_a; // normals of facets without particles that an edge passes through
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
+        {
+          towards_a.clear();
           for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., -1e-3 * h))
           {
+            const bool lands     = walls.facets()[facet].slip;
             const auto is_beside = [&](const unsigned int c) {
-              const bool lands = walls.facets()[facet].slip && cloud.kind[simplex[c]] == ParticleKind::fluid;
               return std::abs(walls.signed_distance(facet, corners[c])) >
-                     (lands ? 1e-2 * contact_offset : 1e-3) * cloud.spacing[simplex[c]];
+                     (lands && cloud.kind[simplex[c]] == ParticleKind::fluid ? 1e-2 * contact_offset
+                                                                             : uneven) *
+                       cloud.spacing[simplex[c]];
             };
-            if ((walls.facets()[facet].slip || !only_without_particles) && is_beside(a) && is_beside(b))
+            if (!is_beside(a) || !is_beside(b))
+              continue;
+            if (lands)
+              towards_a.push_back(walls.signed_distance(facet, corners[a]) > 0. ? walls.normal(facet)
+                                                                                : -walls.normal(facet));
+            else if (!only_without_particles)
               return true;
           }
+          for (const Tensor<1, dim> &normal : towards_a)
+            if (std::none_of(towards_a.begin(), towards_a.end(), [&normal](const Tensor<1, dim> &other) {
+                  return normal * other < -smooth_joint;
+                }))
+              return true;
+        }
       return false;
     }
   } // namespace
@@ -174,8 +196,10 @@ namespace Lahar
   {
     const auto corners = corners_of<dim>(simplex, cloud.position);
     const double h     = mean_spacing<dim>(simplex, cloud);
+    // Chords between particles of uneven ground pass a little below it.
+    constexpr double uneven = 0.1;
     return circumradius<dim>(corners) < alpha_keep * h &&
-           !crosses_wall<dim>(simplex, corners, h, cloud, walls);
+           !crosses_wall<dim>(simplex, corners, h, cloud, walls, false, uneven);
   }
 
 

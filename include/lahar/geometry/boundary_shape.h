@@ -29,6 +29,13 @@ namespace Lahar
     /// The walls, without names or with names of their own, as "group 'bed'".
     virtual std::vector<WallShape<dim>> walls() const = 0;
 
+    /// What is odd about the shape at the mesh size @p h (m); messages call the boundary @p name. @throws InputError if
+    /// lengths of the shape are out of all proportion to it.
+    virtual std::vector<std::string> check_scale(const std::string & /*name*/, const double /*h*/) const
+    {
+      return {};
+    }
+
     /// The full path of the parameter that scales a shape from a file; empty for others.
     virtual std::string scale_path() const
     {

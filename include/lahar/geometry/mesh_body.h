@@ -5,6 +5,7 @@
 
 #include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/fluid_body.h>
+#include <lahar/geometry/graded_points.h>
 #include <lahar/geometry/walls.h>
 
 namespace Lahar
@@ -36,6 +37,9 @@ namespace Lahar
     std::vector<Point<dim>> fill(const MeshSize<dim> &h) const override;
     std::vector<std::array<Point<dim>, dim>> contour() const override;
 
+    /// Points of the contour at the distance @p h, corners first.
+    std::vector<Point<dim>> contour_points(const SizeFunction<dim> &h) const;
+
   private:
     bool is_inside(const Point<dim> &point) const;
 
@@ -44,7 +48,7 @@ namespace Lahar
     unsigned int n_normals_at(const Point<dim> &point) const;
 
     /// Points on the contour h apart or less.
-    std::vector<Point<dim>> divided_contour(const MeshSize<dim> &h) const;
+    std::vector<Point<dim>> divided_contour(const SizeFunction<dim> &h) const;
 
     std::vector<Point<dim>> nodes;
     std::vector<Simplex<dim>> cells; ///< positively oriented

@@ -31,7 +31,8 @@ namespace Lahar
     /// Its walls as facets with the boundary's @p number, with names as "'bed'" or "group 'left' of 'bed'" for messages.
     std::vector<WallShape<dim>> walls(const unsigned int number) const;
 
-    /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it.
+    /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it. @throws InputError where
+    /// that leads nowhere.
     std::vector<std::string> warnings(const double h) const;
 
     std::string name, path; ///< the latter of the entry `Motion`

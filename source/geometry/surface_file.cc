@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/geometry/surface_file.h>
+#include <lahar/utilities/exceptions.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace Lahar
+{
+  namespace
+  {
+    namespace PMP = CGAL::Polygon_mesh_processing;
+
+    using Kernel  = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Mesh    = CGAL::Surface_mesh<Kernel::Point_3>;
+    using Polygon = std::vector<std::size_t>;
+
+    /// Rims shorter than this times the surface's diagonal are holes.
+    constexpr double hole = 0.05;
+
+    /// Edges between faces with a larger angle between their normals, in degrees, are kept.
+    constexpr double sharp = 30.;
+
+    constexpr const char *kinds = "an STL, OBJ, PLY or OFF file of a surface, by its ending";
+
+    [[noreturn]] void fail(const std::string &file_name, const std::string &found, const std::string &allowed)
+    {
+      throw InputError("Surface '" + file_name + "' " + found + ". Allowed: " + allowed + ".");
+    }
+
+    Point<3> to_point(const Kernel::Point_3 &p)
+    {
+      return Point<3>(p.x(), p.y(), p.z());
+    }
+
+    std::string place_of(const Mesh &mesh, const Mesh::Face_index face)
+    {
+      std::ostringstream text;
+      std::string separator = "(";
+      for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+      {
+        text << separator << to_point(mesh.point(vertex));
+        separator = "; ";
+      }
+      text << ")";
+      return text.str();
+    }
+
+    struct Soup
+    {
+      std::vector<Kernel::Point_3> points;
+      std::vector<Polygon> polygons;
+
+      /// Whether polygon @p p starts with these points, or a rotation of them, in this order.
+      bool is_turned(const unsigned int p, const std::array<Kernel::Point_3, 3> &before) const
+      {
+        const Polygon &polygon = polygons[p];
+        const auto first       = std::find_if(polygon.begin(), polygon.end(),
+                                              [&](const std::size_t i) { return points[i] == before[0]; });
+        return first != polygon.end() &&
+               points[polygon[(first - polygon.begin() + 1) % polygon.size()]] != before[1];
+      }
+    };
+
+    Soup read(const std::string &file_name, const double scale)
+    {
+      // A pipe would wait for its writer.
+      std::error_code error;
+      const auto status = std::filesystem::status(file_name, error);
+      if (!std::filesystem::is_regular_file(status))
+        fail(file_name, std::filesystem::exists(status) ? "is no regular file" : "does not exist", kinds);
+      Soup soup;
+      bool complete = false;
+      try
+      {
+        complete = CGAL::IO::read_polygon_soup(file_name, soup.points, soup.polygons);
+      }
+      catch (const std::exception &)
+      {}
+      if (!complete || soup.polygons.empty())
+        fail(file_name,
+             soup.polygons.empty() ? "has no triangles that can be read" : "cannot be read to its end",
+             kinds);
+      for (Kernel::Point_3 &p : soup.points)
+      {
+        p = Kernel::Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+        if (!std::isfinite(to_point(p).norm_square()))
+          fail(file_name, "has a point without finite coordinates", "finite numbers");
+      }
+      for (unsigned int p = 0; p < soup.polygons.size(); ++p)
+        for (const std::size_t corner : soup.polygons[p])
+          if (corner >= soup.points.size())
+            fail(file_name, "has face " + std::to_string(p + 1) + " with a point that is not there",
+                 "the file's points");
+      return soup;
+    }
+
+    double rim_length(const Mesh &mesh, const Mesh::Halfedge_index start)
+    {
+      double sum = 0.;
+      for (const auto halfedge : CGAL::halfedges_around_face(start, mesh))
+        sum +=
+          to_point(mesh.point(mesh.source(halfedge))).distance(to_point(mesh.point(mesh.target(halfedge))));
+      return sum;
+    }
+
+    /// Close holes. @return their number, and the lengths of other rims shorter than the @p diagonal.
+    std::pair<unsigned int, std::vector<double>> close_holes(const double diagonal, Mesh &mesh)
+    {
+      std::vector<Mesh::Halfedge_index> rims;
+      PMP::extract_boundary_cycles(mesh, std::back_inserter(rims));
+      std::pair<unsigned int, std::vector<double>> result(0, {});
+      for (const Mesh::Halfedge_index rim : rims)
+      {
+        const double length = rim_length(mesh, rim);
+        std::vector<Mesh::Face_index> patch;
+        if (length < hole * diagonal)
+          PMP::triangulate_hole(mesh, rim, std::back_inserter(patch));
+        if (!patch.empty())
+          ++result.first;
+        else if (length < diagonal)
+          result.second.push_back(length);
+      }
+      return result;
+    }
+
+    void remesh(const double spacing, Mesh &mesh)
+    {
+      auto kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
+      PMP::detect_sharp_edges(mesh, sharp, kept);
+      for (const auto edge : mesh.edges())
+        if (mesh.is_border(edge))
+          kept[edge] = true;
+      PMP::isotropic_remeshing(mesh.faces(), spacing, mesh,
+                               CGAL::parameters::number_of_iterations(5).edge_is_constrained_map(kept));
+    }
+  } // namespace
+
+
+
+  SurfaceFile::SurfaceFile(const std::string &file_name, const double scale, const double spacing)
+  {
+    Soup soup                = read(file_name, scale);
+    const std::size_t n_read = soup.polygons.size();
+    PMP::repair_polygon_soup(soup.points, soup.polygons);
+    std::size_t n_lost = n_read - soup.polygons.size();
+
+    std::vector<std::array<Kernel::Point_3, 3>> before;
+    for (const Polygon &polygon : soup.polygons)
+      before.push_back({{soup.points[polygon[0]], soup.points[polygon[1]], soup.points[polygon[2]]}});
+    PMP::orient_polygon_soup(soup.points, soup.polygons);
+    std::size_t n_turned = 0;
+    for (unsigned int p = 0; p < before.size(); ++p)
+      n_turned += soup.is_turned(p, before[p]);
+
+    Mesh mesh;
+    if (soup.polygons.empty() || !PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
+      fail(file_name, "has no faces that make a surface", "faces with an area that meet along edges");
+    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+    PMP::triangulate_faces(mesh);
+    const std::size_t n_before = mesh.number_of_faces();
+    PMP::remove_degenerate_faces(mesh);
+    n_lost += n_before - std::min<std::size_t>(n_before, mesh.number_of_faces());
+
+    const auto box = PMP::bbox(mesh);
+    const double diagonal =
+      Point<3>(box.xmin(), box.ymin(), box.zmin()).distance(Point<3>(box.xmax(), box.ymax(), box.zmax()));
+    const auto [n_holes, rims] = close_holes(diagonal, mesh);
+    if (spacing > 0.)
+    {
+      if (spacing * 1e4 < diagonal)
+      {
+        std::ostringstream found;
+        found << "is " << diagonal << " m long, and its edges are to be " << spacing << " m";
+        fail(file_name, found.str(), "a spacing of at least 1e-4 of that");
+      }
+      remesh(spacing, mesh);
+    }
+
+    std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
+    PMP::self_intersections(mesh, std::back_inserter(crossings));
+    if (!crossings.empty())
+      fail(
+        file_name,
+        "has triangles that cross others: " + std::to_string(crossings.size()) + " pairs, the first being " +
+          place_of(mesh, crossings[0].first) + " and " + place_of(mesh, crossings[0].second) + " m",
+        "triangles that meet at common edges and corners only; parts that cross may be boundaries with files of "
+        "their own");
+
+    for (const Mesh::Face_index face : mesh.faces())
+    {
+      std::array<Point<3>, 3> triangle;
+      unsigned int v = 0;
+      for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+        triangle[v++] = to_point(mesh.point(vertex));
+      const Tensor<1, 3> ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
+      if (cross_product_3d(ab, ac).norm() > 4e-6 * (ab.norm_square() + ac.norm_square()))
+        all_triangles.push_back(triangle);
+      else
+        ++n_lost;
+    }
+    if (all_triangles.empty())
+      fail(file_name, "has no triangles with an area", "a surface");
+
+    const auto remark = [&](const bool needed, const std::string &text) {
+      if (needed)
+        all_remarks.push_back("Warning: surface '" + file_name + "': " + text);
+    };
+    remark(n_lost > 0, std::to_string(n_lost) + " faces twice there or without area were left out.");
+    remark(n_turned > 0, std::to_string(n_turned) + " faces were turned over, as their neighbours are.");
+    remark(n_holes > 0, std::to_string(n_holes) + " holes were closed.");
+    std::ostringstream open;
+    for (const double length : rims)
+      open << (open.str().empty() ? "" : ", ") << length;
+    remark(!rims.empty(), "fluid may pass through where it is open: there are rims of " + open.str() + " m.");
+  }
+} // namespace Lahar
