@@ -4,7 +4,8 @@
 In the plane all triangles are kept with their outline, in space the triangles on the outside. A snapshot is one block
 of bytes, whose arrays (little endian, component by component) stand one behind the other, each padded to four bytes:
 for the fluid and then for the solids positions (uint16), corners of triangles (uint32), in the plane the outline
-(uint32, lines separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8.
+(uint32, lines separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8;
+last, where boundaries move, the places of the walls' points (float32).
 """
 
 import gzip
@@ -148,7 +149,8 @@ def even_range(lower, upper):
 
 
 def view_box(flow, walls):
-    """The part of space that is shown: fluid but for a few far points, solids, and walls near them."""
+    """The part of space that is shown: fluid but for a few far points, solids, and walls near them; @p walls are the
+    corners of all of them, (n, dimension)."""
     points = np.concatenate([surface.points for surface in flow.surfaces()])
     lower, upper = np.array([usual_range(points[:, d]) for d in range(points.shape[1])]).T
     size = (upper - lower).max()
@@ -156,9 +158,8 @@ def view_box(flow, walls):
         if surface is not None:
             lower, upper = np.minimum(lower, surface.points.min(axis=0)), np.maximum(upper, surface.points.max(axis=0))
     if len(walls):
-        corners = walls.reshape(-1, walls.shape[-1])
-        lower = np.minimum(lower, np.maximum(corners.min(axis=0), lower - 0.15 * size))
-        upper = np.maximum(upper, np.minimum(corners.max(axis=0), upper + 0.15 * size))
+        lower = np.minimum(lower, np.maximum(walls.min(axis=0), lower - 0.15 * size))
+        upper = np.maximum(upper, np.minimum(walls.max(axis=0), upper + 0.15 * size))
     margin = 0.03 * (upper - lower).max()
     return lower - margin, upper + margin
 
@@ -169,17 +170,18 @@ def view_box(flow, walls):
 class Encoder:
     """Turns the snapshots of a run into blocks of bytes, and says how to read them."""
 
-    def __init__(self, flow, ranges):
-        self.flow, self.ranges = flow, ranges
+    def __init__(self, flow, walls, ranges):
+        self.flow, self.walls, self.ranges = flow, walls, ranges
         points = [surface.points for surface in flow.surfaces()]
         self.lower = np.min([p.min(axis=0) for p in points], axis=0)
         self.size = np.maximum(np.max([p.max(axis=0) for p in points], axis=0) - self.lower, 1e-12)
 
     def blocks(self):
         """One block a snapshot, compressed, and what stands in it."""
-        return [self.encode(*snapshot) for snapshot in zip(self.flow.times, self.flow.fluids, self.flow.solids)]
+        walls = self.walls.states if self.walls.moves else [None] * len(self.flow.times)
+        return [self.encode(*snapshot) for snapshot in zip(self.flow.times, self.flow.fluids, self.flow.solids, walls)]
 
-    def encode(self, time, fluid, solid):
+    def encode(self, time, fluid, solid, walls):
         arrays, head = [], {"time": time}
         for name, surface in (("fluid", fluid), ("solid", solid)):
             if surface is None:
@@ -192,6 +194,9 @@ class Encoder:
                 head[name]["outline"] = len(surface.outline)
             if name == "fluid":
                 arrays += [self.field(surface, field_name) for field_name in self.ranges]
+        if walls is not None:
+            arrays.append(walls.T.astype("<f4"))
+            head["walls"] = len(walls)
         data = b"".join(padded(np.ascontiguousarray(array).tobytes()) for array in arrays)
         return head, gzip.compress(data, 6, mtime=0)
 

@@ -11,12 +11,13 @@ import numpy as np
 
 import report_sections
 from case_parameters import differing
-from case_sketch import Walls, labels
+from case_sketch import labels
 from flow_data import Encoder, field_ranges, read_flow, thinned, view_box
 from html_tables import escape, short
 from key_figures import measures, parse_columns, plots
 from lahar_output import OutputError
 from plotly_bundle import plotly_script
+from wall_data import Walls
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("data.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js", "report.js")
@@ -34,7 +35,7 @@ def write_report(runs, arguments):
     ranges = field_ranges(flows)
     walls = [Walls(run, flow) for run, flow in zip(runs, flows)]
     boxes = common_boxes([view_box(flow, own.corners()) for flow, own in zip(flows, walls)])
-    encoders = [Encoder(flow, ranges) for flow in flows]
+    encoders = [Encoder(flow, own, ranges) for flow, own in zip(flows, walls)]
     blocks = thinned([encoder.blocks() for encoder in encoders])
     frames, constant = all_plots(columns)
     data = {"dimension": runs[0].dimension, "fields": ranges, "plots": [vars(plot) for plot in frames], "runs": [],
@@ -70,6 +71,10 @@ def floats(values):
     return in_base64(np.ascontiguousarray(values, dtype="<f4").tobytes())
 
 
+def numbers(values):
+    return in_base64(np.ascontiguousarray(values, dtype="<u4").tobytes())
+
+
 def common_boxes(boxes):
     """One box for all runs, so that they can be compared, unless it were much larger than the largest of them."""
     lower, upper = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
@@ -86,8 +91,9 @@ def run_data(run, columns, flow, encoder, walls, box, heads):
         "columns": {name: {"label": column.label, "y": floats(kept(column.values))} for name, column
                     in columns.items()},
         "labels": labels(run, flow, walls, np.array(box)),
-        "walls": {"lines": [line.tolist() for line in walls.lines], "filled": [bool(filled) for filled in walls.filled],
-                  "n": len(walls.triangles), "triangles": floats(walls.triangles), "edges": floats(walls.edges)},
+        "walls": {"points": floats(walls.states[0].T), "lines": [line.tolist() for line in walls.lines],
+                  "filled": [bool(filled) for filled in walls.filled], "triangles": numbers(walls.triangles.T),
+                  "edges": numbers(walls.edges.T)},
         "flow": {"lower": encoder.lower.tolist(), "size": encoder.size.tolist(),
                  "box": [list(map(float, end)) for end in box],
                  "snapshots": heads},
@@ -166,7 +172,7 @@ def page(runs, columns, frames, constant, data, stored, arguments):
     title = arguments.title or ", ".join(run.name for run in runs)
     blocks = "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
                        in stored.items())
-    numbers = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
+    json_text = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
     fill = {
         "title": escape(title), "subtitle": escape(subtitle(runs)),
         "style": (HERE / "report.css").read_text(encoding="utf-8"),
@@ -180,7 +186,7 @@ def page(runs, columns, frames, constant, data, stored, arguments):
         "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
         "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
-        "blocks": blocks, "data": numbers, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name
+        "blocks": blocks, "data": json_text, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name
                                                                 in SCRIPTS),
     }
     parts = (HERE / "report.html").read_text(encoding="utf-8").split("{{")

@@ -23,7 +23,7 @@ async function drawPlaneSketch(div, run, snapshot)
   const traces = [
     ...(snapshot.fluid ? [area(snapshot.fluid, FLUID, "#4d7fa6")] : []),
     ...(snapshot.solid ? [area(snapshot.solid, SOLID, "#5a2d0c")] : []),
-    ...wallTraces(run.walls),
+    ...wallTraces(run.walls, snapshot.walls),
     {type: "scatter", mode: "markers", x: points.map(p => p.at[0]), y: points.map(p => p.at[1]), hoverinfo: "skip",
      marker: {symbol: "x-thin", size: 9, line: {width: 2, color: LABEL_COLOURS.point}}},
   ];
@@ -99,7 +99,7 @@ async function drawSpaceSketch(div, run, snapshot)
 {
   const traces = [meshTrace(snapshot.fluid, {color: FLUID, hoverinfo: "skip"}),
                   meshTrace(snapshot.solid, {color: SOLID, hoverinfo: "skip"}),
-                  ...spaceWallTraces(run.walls)];
+                  ...spaceWallTraces(run.walls, snapshot.walls)];
   const layout = spaceLayout(run, div.clientWidth);
   layout.scene.annotations = run.labels.map((label, i) => ({
     x: label.at[0], y: label.at[1], z: label.at[2], text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),
