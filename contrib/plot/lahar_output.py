@@ -88,13 +88,13 @@ def read_statistics(path):
     A column of numbers is an array of floats, any other one an array of strings.
     """
     names, rows = [], []
-    for line in read_text(path).splitlines():
+    for line in read_text(path).splitlines(keepends=True):
+        if not line.endswith("\n"):
+            break  # a running program is writing it
         if line.startswith("#"):
             names.append(line.split(":", 1)[-1].strip())
         elif line.strip():
             rows.append(line.split())
-    if rows and len(rows[-1]) != len(names):
-        rows.pop()  # the line that a running program is writing
     if not names or any(len(row) != len(names) for row in rows):
         raise OutputError(f"{path}: not a statistics file: rows and column names differ in number")
     return {name: to_array(row[i] for row in rows) for i, name in enumerate(names)}

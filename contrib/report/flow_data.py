@@ -8,6 +8,7 @@ for the fluid and then for the solids positions (uint16), corners of triangles (
 last, where boundaries move, the places of the walls' points (float32).
 """
 
+import functools
 import gzip
 from dataclasses import dataclass, field
 
@@ -50,7 +51,7 @@ def read_flow(run, n_snapshots):
     fluid, solid = dict(run.snapshots["fluid"]), dict(run.snapshots["solid"])
     all_times = sorted({*fluid, *solid})
     chosen = evenly(all_times, n_snapshots)
-    read = lambda paths, time: read_surface(paths[time], run.dimension) if time in paths else None  # noqa: E731
+    read = lambda paths, time: read_once(paths[time], run.dimension) if time in paths else None  # noqa: E731
     return Flow(chosen, [read(fluid, time) for time in chosen], [read(solid, time) for time in chosen])
 
 
@@ -60,6 +61,16 @@ def evenly(times, n):
         return list(times)
     array = np.array(times)
     return sorted({times[np.abs(array - time).argmin()] for time in np.linspace(times[0], times[-1], n)})
+
+
+def read_once(path, dimension):
+    """The surface in a file, which is not read again where a report of the same files is made again and again."""
+    return read_version(path, dimension, path.stat().st_mtime_ns if path.is_file() else None)
+
+
+@functools.lru_cache(maxsize=400)
+def read_version(path, dimension, _):
+    return read_surface(path, dimension)
 
 
 def read_surface(path, dimension):

@@ -59,6 +59,20 @@ class PlaneView
     });
   }
 
+  // Takes a later state of the run; the part of the plane stays if the mouse has chosen it.
+  async update(run, fields)
+  {
+    const {xaxis, yaxis} = this.div._fullLayout, [lower, upper] = this.run.flow.box;
+    const isChosen = Math.abs(xaxis.range[0] - lower[0]) + Math.abs(xaxis.range[1] - upper[0])
+      + Math.abs(yaxis.range[0] - lower[1]) + Math.abs(yaxis.range[1] - upper[1]) > 1e-6 * (upper[0] - lower[0]);
+    Object.assign(this, {run, fields});
+    if (isChosen)
+      return;
+    this.layout = planeLayout(run.flow.box, this.div.clientWidth);
+    const {width, height, xaxis: x, yaxis: y} = this.layout;
+    await Plotly.relayout(this.div, {width, height, "xaxis.range": x.range, "yaxis.range": y.range});
+  }
+
   async show(k, field)
   {
     const n = ++this.n, snapshot = await readSnapshot(this.run, k, this.fields);

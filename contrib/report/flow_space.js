@@ -81,6 +81,12 @@ class SpaceView
     });
   }
 
+  // Takes a later state of the run; the camera stays.
+  async update(run, fields)
+  {
+    Object.assign(this, {run, fields, layout: spaceLayout(run, this.div.clientWidth)});
+  }
+
   async show(k, field)
   {
     const n = ++this.n, {fluid, solid, walls} = await readSnapshot(this.run, k, this.fields);

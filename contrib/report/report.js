@@ -23,9 +23,12 @@ async function start()
   const sketch = div => drawSketch(div, report.runs[Number(div.dataset.run)], report.fields);
   whenVisible([...document.querySelectorAll(".sketch")], sketch);
   whenVisible([...document.querySelectorAll("[data-plot]")], div => drawFrame(div, report, player));
-  if (report.sweep)
-    new Sweep(report).draw();
+  const comparison = report.sweep && new Sweep(report);
+  if (comparison)
+    comparison.draw();
   document.body.dataset.state = "ready";
+  if (report.version !== null)
+    await new Follower(report, player, comparison).follow();
 }
 
 window.addEventListener("error", event => complain(event.message));

@@ -2,6 +2,7 @@
 """Puts the report together: one HTML file with its data, its scripts and plotly in it."""
 
 import base64
+import functools
 import gzip
 import json
 import os
@@ -20,13 +21,24 @@ from plotly_bundle import plotly_script
 from wall_data import Walls
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCRIPTS = ("data.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js", "report.js")
+SCRIPTS = ("data.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js",
+           "follow.js", "report.js")
 MOST_POINTS = 2000  # of a curve; of longer ones the smallest and the largest value of every piece are kept
 MOST_ENLARGED = 2.5
 SECTIONS = ("forces", "flow", "accounts", "numerics")
 
 
 def write_report(runs, arguments):
+    """Writes the report to the file arguments.output, and says what is in it."""
+    text, n_drawn = make_report(runs, arguments)
+    write_atomically(arguments.output, text)
+    n_snapshots = sum(len({time for part in run.snapshots.values() for time, _ in part}) for run in runs)
+    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, {n_drawn} of {n_snapshots} "
+          "snapshots)")
+
+
+def make_report(runs, arguments, version=None):
+    """The page, and how many snapshots are in it. With a version it asks its server for later ones."""
     columns = [parse_columns(run) for run in runs]
     flows = [read_flow(run, arguments.snapshots) for run in runs]
     for run, flow in zip(runs, flows):
@@ -39,18 +51,21 @@ def write_report(runs, arguments):
     blocks = thinned([encoder.blocks() for encoder in encoders])
     frames, constant = all_plots(columns)
     data = {"dimension": runs[0].dimension, "fields": ranges, "plots": [vars(plot) for plot in frames], "runs": [],
-            "sweep": sweep(runs, columns)}
-    stored = {"plotly": gzip.compress(plotly_script().encode(), 9, mtime=0)}
+            "sweep": sweep(runs, columns), "version": version}
+    stored = {}
     for r, own_blocks in enumerate(blocks):
         heads = []
         for k, (head, block) in enumerate(own_blocks):
             stored[f"snapshot-{r}-{k}"] = block
             heads.append({**head, "id": f"snapshot-{r}-{k}"})
         data["runs"].append(run_data(runs[r], columns[r], flows[r], encoders[r], walls[r], boxes[r], heads))
-    write_atomically(arguments.output, page(runs, columns, frames, constant, data, stored, arguments))
-    n_snapshots = sum(len({time for part in run.snapshots.values() for time, _ in part}) for run in runs)
-    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, {sum(map(len, blocks))} of "
-          f"{n_snapshots} snapshots)")
+    return page(runs, columns, frames, constant, data, stored, arguments), sum(map(len, blocks))
+
+
+@functools.lru_cache(maxsize=1)
+def plotly_block():
+    """plotly's script, compressed, in base64."""
+    return in_base64(gzip.compress(plotly_script().encode(), 9, mtime=0))
 
 
 def write_atomically(path, text):
@@ -186,8 +201,8 @@ def page(runs, columns, frames, constant, data, stored, arguments):
         "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
         "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
-        "blocks": blocks, "data": json_text, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name
-                                                                in SCRIPTS),
+        "plotly": plotly_block(), "blocks": blocks, "data": json_text,
+        "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name in SCRIPTS),
     }
     parts = (HERE / "report.html").read_text(encoding="utf-8").split("{{")
     return parts[0] + "".join(fill[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
