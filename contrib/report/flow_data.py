@@ -159,9 +159,9 @@ def even_range(lower, upper):
     return float(first * step), float(max(last, first + 1.) * step), step
 
 
-def view_box(flow, walls):
-    """The part of space that is shown: fluid but for a few far points, solids, and walls near them; @p walls are the
-    corners of all of them, (n, dimension)."""
+def view_box(flow, walls, reach=0.15):
+    """The part of space that is shown: fluid but for a few far points, solids, and walls up to @p reach of the fluid's
+    size beside them; @p walls are the corners of all of them, (n, dimension)."""
     points = np.concatenate([surface.points for surface in flow.surfaces()])
     lower, upper = np.array([usual_range(points[:, d]) for d in range(points.shape[1])]).T
     size = (upper - lower).max()
@@ -169,8 +169,8 @@ def view_box(flow, walls):
         if surface is not None:
             lower, upper = np.minimum(lower, surface.points.min(axis=0)), np.maximum(upper, surface.points.max(axis=0))
     if len(walls):
-        lower = np.minimum(lower, np.maximum(walls.min(axis=0), lower - 0.15 * size))
-        upper = np.maximum(upper, np.minimum(walls.max(axis=0), upper + 0.15 * size))
+        lower = np.minimum(lower, np.maximum(walls.min(axis=0), lower - reach * size))
+        upper = np.maximum(upper, np.minimum(walls.max(axis=0), upper + reach * size))
     margin = 0.03 * (upper - lower).max()
     return lower - margin, upper + margin
 

@@ -21,7 +21,7 @@ from plotly_bundle import plotly_script
 from wall_data import Walls
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCRIPTS = ("data.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js",
+SCRIPTS = ("data.js", "page.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js",
            "follow.js", "report.js")
 MOST_POINTS = 2000  # of a curve; of longer ones the smallest and the largest value of every piece are kept
 MOST_ENLARGED = 2.5
@@ -58,7 +58,8 @@ def make_report(runs, arguments, version=None):
         for k, (head, block) in enumerate(own_blocks):
             stored[f"snapshot-{r}-{k}"] = block
             heads.append({**head, "id": f"snapshot-{r}-{k}"})
-        data["runs"].append(run_data(runs[r], columns[r], flows[r], encoders[r], walls[r], boxes[r], heads))
+        data["runs"].append({**flow_data(runs[r], flows[r], encoders[r], walls[r], boxes[r], heads),
+                             **curves_data(runs[r], columns[r])})
     return page(runs, columns, frames, constant, data, stored, arguments), sum(map(len, blocks))
 
 
@@ -97,14 +98,17 @@ def common_boxes(boxes):
     return [(lower, upper)] * len(boxes) if np.prod(upper - lower) <= MOST_ENLARGED * largest else boxes
 
 
-def run_data(run, columns, flow, encoder, walls, box, heads):
+def curves_data(run, columns):
     times, kept = thinned_times(run.time)
+    return {"times": floats(times), "columns": {name: {"label": column.label, "y": floats(kept(column.values))}
+                                                for name, column in columns.items()}}
+
+
+def flow_data(run, flow, encoder, walls, box, heads):
+    """What the page needs to draw the flow and a sketch of the case."""
     gravity = run.case.gravity()
     return {
         "name": run.name, "gravity": [0.] * run.dimension if gravity is None else gravity.tolist(),
-        "times": floats(times),
-        "columns": {name: {"label": column.label, "y": floats(kept(column.values))} for name, column
-                    in columns.items()},
         "labels": labels(run, flow, walls, np.array(box)),
         "walls": {"points": floats(walls.states[0].T), "lines": [line.tolist() for line in walls.lines],
                   "filled": [bool(filled) for filled in walls.filled], "triangles": numbers(walls.triangles.T),
@@ -185,12 +189,8 @@ def is_number(text):
 
 def page(runs, columns, frames, constant, data, stored, arguments):
     title = arguments.title or ", ".join(run.name for run in runs)
-    blocks = "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
-                       in stored.items())
-    json_text = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    fill = {
+    return filled("report.html", {
         "title": escape(title), "subtitle": escape(subtitle(runs)),
-        "style": (HERE / "report.css").read_text(encoding="utf-8"),
         "overview": report_sections.overview(runs, columns), "sweep": sweep_html(data["sweep"]),
         "flows": flows_html(runs),
         "sketches": sketches_html(runs), "materials": report_sections.materials(runs),
@@ -201,11 +201,20 @@ def page(runs, columns, frames, constant, data, stored, arguments):
         "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
         "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
-        "plotly": plotly_block(), "blocks": blocks, "data": json_text,
-        "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name in SCRIPTS),
+    }, data, stored, SCRIPTS)
+
+
+def filled(template, sections, data, stored, scripts):
+    """The page with its sections, the data, the compressed blocks @p stored, and the scripts."""
+    sections = {
+        **sections, "style": (HERE / "report.css").read_text(encoding="utf-8"), "plotly": plotly_block(),
+        "blocks": "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
+                            in stored.items()),
+        "data": json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c"),
+        "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name in scripts),
     }
-    parts = (HERE / "report.html").read_text(encoding="utf-8").split("{{")
-    return parts[0] + "".join(fill[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
+    parts = (HERE / template).read_text(encoding="utf-8").split("{{")
+    return parts[0] + "".join(sections[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
 
 
 def subtitle(runs):
