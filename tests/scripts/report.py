@@ -332,7 +332,7 @@ def test_browser(lahar, chromium, directory):
             text = file.read()
         with open(broken, "w", encoding="utf-8") as file:
             file.write(re.sub(r'(id="snapshot-0-0">)[^<]{40}', r"\1" + "A" * 40,
-                              text).replace("await this.show(Math.floor(0.4", "await this.show(Math.floor(0.0"))
+                              text).replace("Math.floor(0.4 *", "Math.floor(0. *"))
         check("a page with damaged data complains", browser.open(broken) is None
               and not browser.evaluate('document.getElementById("complaint").hidden'))
 
