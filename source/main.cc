@@ -29,7 +29,7 @@ namespace
   {
     std::string file_name;
     std::vector<std::string> overrides;
-    std::string print_format;
+    std::string print_format, start_directory;
     bool check = false, resume = false, overwrite = false;
   };
 
@@ -52,6 +52,8 @@ namespace
     visible.add_options()("set", po::value(&line.overrides)->composing(),
                           "override one entry: --set \"Section/Subsection/Entry=value\" (repeatable)")(
       "check", po::bool_switch(&line.check), "read, validate, build the initial mesh, report sizes, stop")(
+      "write-start", po::value(&line.start_directory),
+      "like --check, and write initial mesh, walls and all entries into this directory")(
       "resume", po::bool_switch(&line.resume), "go on from the checkpoint in the output directory")(
       "overwrite", po::bool_switch(&line.overwrite),
       "remove the files of an earlier run from the output directory and begin anew")(
@@ -97,6 +99,13 @@ namespace
       throw InputError("Command line: " + std::to_string(files.size()) +
                        " parameter files, one is needed. See lahar --help.");
     line.file_name = files[0];
+    if (values.count("write-start"))
+    {
+      if (line.resume || line.overwrite)
+        throw InputError("Command line: --write-start with --resume or --overwrite. Allowed: one of them.");
+      line.check = true;
+      line.overrides.push_back("Output directory=" + line.start_directory);
+    }
     if (line.resume && line.overwrite)
       throw InputError("Command line: --resume and --overwrite. Allowed: one of them.");
     return true;
@@ -159,6 +168,8 @@ namespace
       simulator->initialize();
       if (line.resume)
         simulator->resume();
+      if (!line.start_directory.empty())
+        simulator->write_start();
       if (line.check)
       {
         show(simulator->sizes() + '\n');

@@ -88,13 +88,13 @@ def read_statistics(path):
     A column of numbers is an array of floats, any other one an array of strings.
     """
     names, rows = [], []
-    for line in read_text(path).splitlines():
+    for line in read_text(path).splitlines(keepends=True):
+        if not line.endswith("\n"):
+            break  # a running program is writing it
         if line.startswith("#"):
             names.append(line.split(":", 1)[-1].strip())
         elif line.strip():
             rows.append(line.split())
-    if rows and len(rows[-1]) != len(names):
-        rows.pop()  # the line that a running program is writing
     if not names or any(len(row) != len(names) for row in rows):
         raise OutputError(f"{path}: not a statistics file: rows and column names differ in number")
     return {name: to_array(row[i] for row in rows) for i, name in enumerate(names)}
@@ -250,23 +250,28 @@ class DataReader:
 
 def read_walls(path):
     """The walls in the plane as polylines, from a file walls.vtu or walls-NNNNN.vtu; none if there is no such file."""
-    if not pathlib.Path(path).is_file():
-        return []
-    root = parse_xml(path)
-    try:
-        piece = next(root.iter("Piece"))
-        points = DataReader(root).read(piece.find("Points/DataArray")).reshape(-1, 3)[:, :2].astype(float)
-        cells = {entry.get("Name"): entry for entry in piece.find("Cells")}
-        segments = points[DataReader(root).read(cells["connectivity"])].reshape(-1, 2, 2)
-    except (StopIteration, ValueError, KeyError, AttributeError, TypeError, zlib.error) as error:
-        raise OutputError(f"{path}: cannot read these walls ({error})") from None
     lines = []
-    for start, end in segments:
+    for start, end in read_wall_facets(path, 2):
         if lines and np.array_equal(lines[-1][-1], start):
             lines[-1].append(end)
         else:
             lines.append([start, end])
     return [Wall(np.array(line)) for line in lines]
+
+
+def read_wall_facets(path, dimension):
+    """The corners of the walls' facets, (n, dimension, dimension): segments in the plane, triangles in space; none if
+    there is no such file."""
+    if not pathlib.Path(path).is_file():
+        return np.zeros((0, dimension, dimension))
+    root = parse_xml(path)
+    try:
+        piece, reader = next(root.iter("Piece")), DataReader(root)
+        points = reader.read(piece.find("Points/DataArray")).reshape(-1, 3)[:, :dimension].astype(float)
+        cells = {entry.get("Name"): entry for entry in piece.find("Cells")}
+        return points[reader.read(cells["connectivity"])].reshape(-1, dimension, dimension)
+    except (StopIteration, ValueError, KeyError, AttributeError, TypeError, IndexError, zlib.error) as error:
+        raise OutputError(f"{path}: cannot read these walls ({error})") from None
 
 
 def parse_walls(text):

@@ -28,10 +28,12 @@ def joined_points(points):
     return place.reshape(-1), first
 
 
-def faces_with_cells(mesh):
+def faces_with_cells(mesh, place=None):
     """Every edge of triangles, in space every face of tetrahedra, as its points and the one or two cells beside it (the
-    second is -1 on the boundary)."""
-    place, first_point = joined_points(mesh.points)
+    second is -1 on the boundary). Points are one where @p place has the same number for them; without it where they
+    are at one place."""
+    if place is None:
+        place, _ = joined_points(mesh.points)
     faces = np.concatenate([mesh.cells[:, face] for face in FACES[mesh.cells.shape[1]]])
     cells = np.tile(np.arange(len(mesh.cells)), len(FACES[mesh.cells.shape[1]]))
     corners = np.sort(place[faces], axis=1).astype(np.int64)
@@ -40,7 +42,7 @@ def faces_with_cells(mesh):
     for d in range(1, corners.shape[1]):
         if d > 1:
             keys = np.unique(keys, return_inverse=True)[1].reshape(-1)
-        keys = keys * len(first_point) + corners[:, d]
+        keys = keys * (place.max(initial=0) + 1) + corners[:, d]
     _, first, number = np.unique(keys, return_index=True, return_inverse=True)
     number = number.reshape(-1)
     others = np.full(len(first), -1)

@@ -1,64 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the sketch of a case shows besides fluid and solids: walls, and where the names of the parts stand."""
-
-import pathlib
+"""Where the names of the parts stand in the sketch of a case."""
 
 import numpy as np
 
-from lahar_output import Mesh, read_pvd, read_vtu, read_walls
-from mesh_geometry import faces_with_cells
-
-FEATURE_ANGLE = 20.  # degrees: between facets that meet flatter there is no edge
 KINDS = {"Fluids": "fluid", "Boundaries": "boundary", "Solids": "solid"}
-
-
-class Walls:
-    """The rigid walls of a run: polylines in the plane, triangles and their edges in space."""
-
-    def __init__(self, run, flow):
-        self.lines, self.filled = [], []
-        self.triangles, self.edges = np.zeros((0, 3, 3)), np.zeros((0, 2, 3))
-        # Walls that move are drawn where they are at first.
-        moving = [path for _, path in read_pvd(pathlib.Path(run.directory) / "solution.pvd", 2) if path.is_file()]
-        path = moving[0] if moving else pathlib.Path(run.directory) / "walls.vtu"
-        if run.dimension == 2:
-            walls = read_walls(path)
-            self.lines = [wall.corners for wall in walls]
-            places = np.concatenate([surface.points for surface in flow.surfaces()[:1]])
-            self.filled = [wall.is_closed and not contains(wall.corners, places).any() for wall in walls]
-        elif path.is_file():
-            mesh = read_vtu(path, 3)
-            self.triangles = mesh.points[mesh.cells[:, :3]]
-            self.edges = feature_edges(mesh)
-
-    def corners(self):
-        """All corners, (n, dimension)."""
-        parts = [*self.lines, *([self.triangles.reshape(-1, 3)] if len(self.triangles) else [])]
-        return np.concatenate(parts) if parts else np.zeros((0, 2))
-
-
-def contains(polygon, points):
-    """Which points lie inside a closed polygon."""
-    inside = np.zeros(len(points), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(polygon[:-1], polygon[1:]):
-        if y0 != y1:
-            crosses = (points[:, 1] < y0) != (points[:, 1] < y1)
-            inside ^= crosses & (points[:, 0] < x0 + (points[:, 1] - y0) / (y1 - y0) * (x1 - x0))
-    return inside
-
-
-def feature_edges(mesh):
-    """The edges of triangles in space that are on the rim or where two of them meet at an angle."""
-    corners = mesh.points[mesh.cells]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-    edges, cells, others = faces_with_cells(Mesh(mesh.points, mesh.cells))
-    is_flat = (others >= 0) & (np.abs((normals[cells]
-                                       * normals[others]).sum(axis=1)) > np.cos(np.radians(FEATURE_ANGLE)))
-    return mesh.points[edges[~is_flat]]
-
-
-# --------------------------------------------------------------------------------------------------------- labels
 
 
 def labels(run, flow, walls, box):
@@ -110,9 +55,9 @@ def place_of_boundary(run, walls, box, name):
         # One boundary of another shape: the walls that are not the others'.
         taken = [points for other in others for points in run.case.point_lists("Boundaries", other)]
         if run.dimension == 2:
-            lists = [line for line in walls.lines if not any(is_on(line, points) for points in taken)]
+            lists = [line for line in walls.places_of_lines() if not any(is_on(line, points) for points in taken)]
         elif not others and len(walls.triangles):
-            centres = walls.triangles.mean(axis=1)
+            centres = walls.states[0][walls.triangles].mean(axis=1)
             return centres[np.linalg.norm(centres - centres.mean(axis=0), axis=1).argmin()]
     segments = [(a, b) for points in lists for a, b in zip(np.clip(points[:-1], *box), np.clip(points[1:], *box))]
     if not segments:

@@ -56,8 +56,11 @@ async function drawFrame(div, report, player)
     layout.yaxis.rangemode = "tozero";
   if (2 * (middle - lowest) < plot.least_extent)
     layout.yaxis.range = [middle - 0.5 * plot.least_extent, middle + 0.5 * plot.least_extent];
-  await Plotly.newPlot(div, traces, layout, CURVE_CONFIG);
-  div.on("plotly_click", event => player.goTo(event.points[0].x));
+  layout.uirevision = "same"; // drawn again it keeps what the mouse has chosen
+  await Plotly.react(div, traces, layout, CURVE_CONFIG);
+  if (!div.dataset.drawn)
+    div.on("plotly_click", event => player.goTo(event.points[0].x));
+  div.dataset.drawn = plot.title;
 }
 
 // Calls draw(div) for each element once, as soon as it is near the window or the page is printed.
@@ -86,6 +89,12 @@ class Sweep
     this.measure.value = report.sweep.first;
     this.parameter.addEventListener("change", () => this.draw());
     this.measure.addEventListener("change", () => this.draw());
+  }
+
+  update(report)
+  {
+    this.report = report;
+    return this.draw();
   }
 
   draw()

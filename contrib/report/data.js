@@ -23,6 +23,18 @@ function floats(base64)
   return new Float32Array(bytesOf(base64).buffer);
 }
 
+function wholeNumbers(base64)
+{
+  return new Uint32Array(bytesOf(base64).buffer);
+}
+
+// An array of n parts one behind the other, cut into them.
+function parts(array, n)
+{
+  const length = array.length / n;
+  return [...Array(n).keys()].map(p => array.subarray(p * length, (p + 1) * length));
+}
+
 // Takes arrays from a block one behind the other.
 class BlockReader
 {
@@ -43,7 +55,7 @@ class BlockReader
 // The surface of the fluid or of the solids in a snapshot: coordinates, corners of triangles, outline, fields.
 function readSurface(reader, head, flow, fields)
 {
-  const dimension = flow.lower.length, surface = {n: head.points, m: head.triangles, x: [], corners: [], fields: {}};
+  const dimension = flow.lower.length, surface = {n: head.points, m: head.triangles, x: [], fields: {}};
   const rounded = reader.take(Uint16Array, dimension * head.points);
   for (let d = 0; d < dimension; ++d) {
     const x = new Float32Array(head.points);
@@ -51,9 +63,7 @@ function readSurface(reader, head, flow, fields)
       x[i] = flow.lower[d] + flow.size[d] / STEPS * rounded[d * head.points + i];
     surface.x.push(x);
   }
-  const corners = reader.take(Uint32Array, 3 * head.triangles);
-  for (let c = 0; c < 3; ++c)
-    surface.corners.push(corners.subarray(c * head.triangles, (c + 1) * head.triangles));
+  surface.corners = parts(reader.take(Uint32Array, 3 * head.triangles), 3);
   if (head.outline !== undefined)
     surface.outline = reader.take(Uint32Array, head.outline);
   for (const name of Object.keys(fields)) {
@@ -67,15 +77,17 @@ function readSurface(reader, head, flow, fields)
   return surface;
 }
 
-// The snapshot number k of a run, read once.
+// The snapshot number k of a run, read once. Walls are coordinates of their points; those that stand are the run's.
 async function readSnapshot(run, k, fields)
 {
   const head = run.flow.snapshots[k];
   if (!head.content)
     head.content = inflated(head.id).then(buffer => {
-      const reader = new BlockReader(buffer);
-      return {time: head.time, fluid: head.fluid && readSurface(reader, head.fluid, run.flow, fields),
-              solid: head.solid && readSurface(reader, head.solid, run.flow, {})};
+      const reader = new BlockReader(buffer), dimension = run.flow.lower.length;
+      const fluid = head.fluid && readSurface(reader, head.fluid, run.flow, fields);
+      const solid = head.solid && readSurface(reader, head.solid, run.flow, {});
+      const walls = head.walls ? reader.take(Float32Array, dimension * head.walls) : floats(run.walls.points);
+      return {time: head.time, fluid, solid, walls: parts(walls, dimension)};
     });
   return head.content;
 }

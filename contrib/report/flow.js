@@ -8,13 +8,10 @@ class FlowPlayer
 {
   constructor(report)
   {
-    this.report = report;
-    this.fields = report.fields;
-    this.times = [...new Set(report.runs.flatMap(run => run.flow.snapshots.map(s => s.time)))].sort((a, b) => a - b);
     const find = id => document.getElementById(id);
     Object.assign(this, {slider: find("slider"), label: find("time"), menu: find("field"), legend: find("legend"),
                          play: find("play")});
-    this.slider.max = this.times.length - 1;
+    this.take(report);
     for (const name of Object.keys(this.fields))
       this.menu.add(new Option(FIELD_STYLES[name].title, name));
     this.menu.disabled = this.menu.length === 0;
@@ -22,6 +19,23 @@ class FlowPlayer
       const View = report.dimension === 2 ? PlaneView : SpaceView;
       return new View(find(`flow-${r}`), run, this.fields, find(`readout-${r}`));
     });
+  }
+
+  take(report)
+  {
+    this.report = report;
+    this.fields = report.fields;
+    this.times = [...new Set(report.runs.flatMap(run => run.flow.snapshots.map(s => s.time)))].sort((a, b) => a - b);
+    this.slider.max = this.times.length - 1;
+  }
+
+  // Goes on with a later report of the same runs: at the same time, or with the last snapshot if that was shown.
+  async update(report)
+  {
+    const time = this.times[this.k], wasLast = this.k === this.times.length - 1;
+    this.take(report);
+    await Promise.all(this.views.map((view, r) => view.update(report.runs[r], report.fields)));
+    await this.show(wasLast ? this.times.length - 1 : nearest(this.times, time));
   }
 
   async build()
@@ -37,7 +51,7 @@ class FlowPlayer
     document.getElementById("forth").addEventListener("click", () => this.show(this.k + 1));
     window.addEventListener("hashchange", () => this.readAddress());
     if (!await this.readAddress())
-      await this.show(Math.floor(0.4 * (this.times.length - 1)));
+      await this.show(this.report.version === null ? Math.floor(0.4 * (this.times.length - 1)) : this.times.length - 1);
   }
 
   // The address may end in #snapshot=3&field=pressure, snapshots counted from 0.

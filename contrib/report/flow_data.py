@@ -4,9 +4,11 @@
 In the plane all triangles are kept with their outline, in space the triangles on the outside. A snapshot is one block
 of bytes, whose arrays (little endian, component by component) stand one behind the other, each padded to four bytes:
 for the fluid and then for the solids positions (uint16), corners of triangles (uint32), in the plane the outline
-(uint32, lines separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8.
+(uint32, lines separated by the largest number), and for the fluid the fields, by point uint16 or by triangle uint8;
+last, where boundaries move, the places of the walls' points (float32).
 """
 
+import functools
 import gzip
 from dataclasses import dataclass, field
 
@@ -49,7 +51,7 @@ def read_flow(run, n_snapshots):
     fluid, solid = dict(run.snapshots["fluid"]), dict(run.snapshots["solid"])
     all_times = sorted({*fluid, *solid})
     chosen = evenly(all_times, n_snapshots)
-    read = lambda paths, time: read_surface(paths[time], run.dimension) if time in paths else None  # noqa: E731
+    read = lambda paths, time: read_once(paths[time], run.dimension) if time in paths else None  # noqa: E731
     return Flow(chosen, [read(fluid, time) for time in chosen], [read(solid, time) for time in chosen])
 
 
@@ -59,6 +61,16 @@ def evenly(times, n):
         return list(times)
     array = np.array(times)
     return sorted({times[np.abs(array - time).argmin()] for time in np.linspace(times[0], times[-1], n)})
+
+
+def read_once(path, dimension):
+    """The surface in a file, which is not read again where a report of the same files is made again and again."""
+    return read_version(path, dimension, path.stat().st_mtime_ns if path.is_file() else None)
+
+
+@functools.lru_cache(maxsize=400)
+def read_version(path, dimension, _):
+    return read_surface(path, dimension)
 
 
 def read_surface(path, dimension):
@@ -147,8 +159,9 @@ def even_range(lower, upper):
     return float(first * step), float(max(last, first + 1.) * step), step
 
 
-def view_box(flow, walls):
-    """The part of space that is shown: fluid but for a few far points, solids, and walls near them."""
+def view_box(flow, walls, reach=0.15):
+    """The part of space that is shown: fluid but for a few far points, solids, and walls up to @p reach of the fluid's
+    size beside them; @p walls are the corners of all of them, (n, dimension)."""
     points = np.concatenate([surface.points for surface in flow.surfaces()])
     lower, upper = np.array([usual_range(points[:, d]) for d in range(points.shape[1])]).T
     size = (upper - lower).max()
@@ -156,9 +169,8 @@ def view_box(flow, walls):
         if surface is not None:
             lower, upper = np.minimum(lower, surface.points.min(axis=0)), np.maximum(upper, surface.points.max(axis=0))
     if len(walls):
-        corners = walls.reshape(-1, walls.shape[-1])
-        lower = np.minimum(lower, np.maximum(corners.min(axis=0), lower - 0.15 * size))
-        upper = np.maximum(upper, np.minimum(corners.max(axis=0), upper + 0.15 * size))
+        lower = np.minimum(lower, np.maximum(walls.min(axis=0), lower - reach * size))
+        upper = np.maximum(upper, np.minimum(walls.max(axis=0), upper + reach * size))
     margin = 0.03 * (upper - lower).max()
     return lower - margin, upper + margin
 
@@ -169,17 +181,18 @@ def view_box(flow, walls):
 class Encoder:
     """Turns the snapshots of a run into blocks of bytes, and says how to read them."""
 
-    def __init__(self, flow, ranges):
-        self.flow, self.ranges = flow, ranges
+    def __init__(self, flow, walls, ranges):
+        self.flow, self.walls, self.ranges = flow, walls, ranges
         points = [surface.points for surface in flow.surfaces()]
         self.lower = np.min([p.min(axis=0) for p in points], axis=0)
         self.size = np.maximum(np.max([p.max(axis=0) for p in points], axis=0) - self.lower, 1e-12)
 
     def blocks(self):
         """One block a snapshot, compressed, and what stands in it."""
-        return [self.encode(*snapshot) for snapshot in zip(self.flow.times, self.flow.fluids, self.flow.solids)]
+        walls = self.walls.states if self.walls.moves else [None] * len(self.flow.times)
+        return [self.encode(*snapshot) for snapshot in zip(self.flow.times, self.flow.fluids, self.flow.solids, walls)]
 
-    def encode(self, time, fluid, solid):
+    def encode(self, time, fluid, solid, walls):
         arrays, head = [], {"time": time}
         for name, surface in (("fluid", fluid), ("solid", solid)):
             if surface is None:
@@ -192,6 +205,9 @@ class Encoder:
                 head[name]["outline"] = len(surface.outline)
             if name == "fluid":
                 arrays += [self.field(surface, field_name) for field_name in self.ranges]
+        if walls is not None:
+            arrays.append(walls.T.astype("<f4"))
+            head["walls"] = len(walls)
         data = b"".join(padded(np.ascontiguousarray(array).tobytes()) for array in arrays)
         return head, gzip.compress(data, 6, mtime=0)
 

@@ -24,10 +24,11 @@ function planeLayout(box, width)
 const PLANE_CONFIG = {displaylogo: false, scrollZoom: true, responsive: false,
                       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "toggleSpikelines"]};
 
-function wallTraces(walls)
+// Walls whose points have the coordinates x and y.
+function wallTraces(walls, [x, y])
 {
   return walls.lines.map((line, i) => ({
-    type: "scatter", mode: "lines", x: line.map(p => p[0]), y: line.map(p => p[1]), hoverinfo: "skip",
+    type: "scatter", mode: "lines", x: line.map(p => x[p]), y: line.map(p => y[p]), hoverinfo: "skip",
     line: {color: INK, width: 2.2, simplify: false}, fill: walls.filled[i] ? "toself" : "none", fillcolor: FILLED,
   }));
 }
@@ -44,7 +45,7 @@ class PlaneView
     const line = {type: "scatter", mode: "lines", x: [], y: [], hoverinfo: "skip"};
     this.layout = planeLayout(this.run.flow.box, this.div.clientWidth);
     this.traces = [{...line, line: {color: INK, width: 1, simplify: false}},
-                   {...line, line: {color: "#5a2d0c", width: 1.2, simplify: false}}, ...wallTraces(this.run.walls)];
+                   {...line, line: {color: "#5a2d0c", width: 1.2, simplify: false}}];
     await Plotly.newPlot(this.div, this.traces, this.layout, PLANE_CONFIG);
     this.div.on("plotly_relayout", change => {
       if (Object.keys(change).some(key => key.startsWith("xaxis") || key.startsWith("yaxis")))
@@ -58,6 +59,20 @@ class PlaneView
     });
   }
 
+  // Takes a later state of the run; the part of the plane stays if the mouse has chosen it.
+  async update(run, fields)
+  {
+    const {xaxis, yaxis} = this.div._fullLayout, [lower, upper] = this.run.flow.box;
+    const isChosen = Math.abs(xaxis.range[0] - lower[0]) + Math.abs(xaxis.range[1] - upper[0])
+      + Math.abs(yaxis.range[0] - lower[1]) + Math.abs(yaxis.range[1] - upper[1]) > 1e-6 * (upper[0] - lower[0]);
+    Object.assign(this, {run, fields});
+    if (isChosen)
+      return;
+    this.layout = planeLayout(run.flow.box, this.div.clientWidth);
+    const {width, height, xaxis: x, yaxis: y} = this.layout;
+    await Plotly.relayout(this.div, {width, height, "xaxis.range": x.range, "yaxis.range": y.range});
+  }
+
   async show(k, field)
   {
     const n = ++this.n, snapshot = await readSnapshot(this.run, k, this.fields);
@@ -67,6 +82,7 @@ class PlaneView
     this.field = field;
     Object.assign(this.traces[0], outlineOf(snapshot.fluid));
     Object.assign(this.traces[1], outlineOf(snapshot.solid));
+    this.traces.splice(2, Infinity, ...wallTraces(this.run.walls, snapshot.walls));
     await this.draw();
   }
 

@@ -49,19 +49,16 @@ function meshTrace(surface, more)
   return {type: "mesh3d", x, y, z, i, j, k, lighting: LIGHT, lightposition: LIGHT_PLACE, showscale: false, ...more};
 }
 
-// Walls, transparent, and their edges.
-function spaceWallTraces(walls)
+// Walls, transparent, and their edges; x are the coordinates of their points.
+function spaceWallTraces(walls, x)
 {
-  if (!walls.n)
+  if (!walls.triangles)
     return [];
-  const corners = floats(walls.triangles), edges = floats(walls.edges), n = walls.n, m = edges.length / 6;
-  const numbers = c => Int32Array.from({length: n}, (_, t) => 3 * t + c);
-  const along = (array, d) => Float32Array.from({length: array.length / 3}, (_, p) => array[3 * p + d]);
-  const line = d => [...Array(m).keys()].flatMap(e => [edges[6 * e + d], edges[6 * e + 3 + d], null]);
+  const [i, j, k] = parts(wholeNumbers(walls.triangles), 3), [from, to] = parts(wholeNumbers(walls.edges), 2);
+  const line = d => Array.from(from).flatMap((start, e) => [x[d][start], x[d][to[e]], null]);
   return [
-    {type: "mesh3d", x: along(corners, 0), y: along(corners, 1), z: along(corners, 2), i: numbers(0), j: numbers(1),
-     k: numbers(2),
-     color: "#8b8f96", opacity: 0.16, hoverinfo: "skip", flatshading: true, lighting: {ambient: 1, diffuse: 0}},
+    {type: "mesh3d", x: x[0], y: x[1], z: x[2], i, j, k, color: "#8b8f96", opacity: 0.16, hoverinfo: "skip",
+     flatshading: true, lighting: {ambient: 1, diffuse: 0}},
     {type: "scatter3d", mode: "lines", x: line(0), y: line(1), z: line(2), hoverinfo: "skip",
      line: {color: "#6a6f76", width: 2}},
   ];
@@ -77,7 +74,6 @@ class SpaceView
   async build()
   {
     this.layout = spaceLayout(this.run, this.div.clientWidth);
-    this.walls = spaceWallTraces(this.run.walls);
     whenResized(this.div, width => {
       Object.assign(this.layout, {width, height: spaceLayout(this.run, width).height});
       if (this.div._fullLayout)
@@ -85,14 +81,20 @@ class SpaceView
     });
   }
 
+  // Takes a later state of the run; the camera stays.
+  async update(run, fields)
+  {
+    Object.assign(this, {run, fields, layout: spaceLayout(run, this.div.clientWidth)});
+  }
+
   async show(k, field)
   {
-    const n = ++this.n, {fluid, solid} = await readSnapshot(this.run, k, this.fields);
+    const n = ++this.n, {fluid, solid, walls} = await readSnapshot(this.run, k, this.fields);
     if (n !== this.n)
       return;
     const traces = [meshTrace(fluid, this.colours(fluid, field)),
                     meshTrace(solid, {color: SOLID, flatshading: true, name: "solid", hoverinfo: "name+x+y+z"})];
-    await Plotly.react(this.div, [...traces, ...this.walls], this.layout, SPACE_CONFIG);
+    await Plotly.react(this.div, [...traces, ...spaceWallTraces(this.run.walls, walls)], this.layout, SPACE_CONFIG);
     if (this.onTurn) {
       this.div.on("plotly_relayout", this.onTurn);
       this.onTurn = null;

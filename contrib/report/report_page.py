@@ -2,6 +2,7 @@
 """Puts the report together: one HTML file with its data, its scripts and plotly in it."""
 
 import base64
+import functools
 import gzip
 import json
 import os
@@ -11,21 +12,33 @@ import numpy as np
 
 import report_sections
 from case_parameters import differing
-from case_sketch import Walls, labels
+from case_sketch import labels
 from flow_data import Encoder, field_ranges, read_flow, thinned, view_box
 from html_tables import escape, short
 from key_figures import measures, parse_columns, plots
 from lahar_output import OutputError
 from plotly_bundle import plotly_script
+from wall_data import Walls
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCRIPTS = ("data.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js", "report.js")
+SCRIPTS = ("data.js", "page.js", "colours.js", "flow_plane.js", "flow_space.js", "flow.js", "curves.js", "sketch.js",
+           "follow.js", "report.js")
 MOST_POINTS = 2000  # of a curve; of longer ones the smallest and the largest value of every piece are kept
 MOST_ENLARGED = 2.5
 SECTIONS = ("forces", "flow", "accounts", "numerics")
 
 
 def write_report(runs, arguments):
+    """Writes the report to the file arguments.output, and says what is in it."""
+    text, n_drawn = make_report(runs, arguments)
+    write_atomically(arguments.output, text)
+    n_snapshots = sum(len({time for part in run.snapshots.values() for time, _ in part}) for run in runs)
+    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, {n_drawn} of {n_snapshots} "
+          "snapshots)")
+
+
+def make_report(runs, arguments, version=None):
+    """The page, and how many snapshots are in it. With a version it asks its server for later ones."""
     columns = [parse_columns(run) for run in runs]
     flows = [read_flow(run, arguments.snapshots) for run in runs]
     for run, flow in zip(runs, flows):
@@ -34,22 +47,26 @@ def write_report(runs, arguments):
     ranges = field_ranges(flows)
     walls = [Walls(run, flow) for run, flow in zip(runs, flows)]
     boxes = common_boxes([view_box(flow, own.corners()) for flow, own in zip(flows, walls)])
-    encoders = [Encoder(flow, ranges) for flow in flows]
+    encoders = [Encoder(flow, own, ranges) for flow, own in zip(flows, walls)]
     blocks = thinned([encoder.blocks() for encoder in encoders])
     frames, constant = all_plots(columns)
     data = {"dimension": runs[0].dimension, "fields": ranges, "plots": [vars(plot) for plot in frames], "runs": [],
-            "sweep": sweep(runs, columns)}
-    stored = {"plotly": gzip.compress(plotly_script().encode(), 9, mtime=0)}
+            "sweep": sweep(runs, columns), "version": version}
+    stored = {}
     for r, own_blocks in enumerate(blocks):
         heads = []
         for k, (head, block) in enumerate(own_blocks):
             stored[f"snapshot-{r}-{k}"] = block
             heads.append({**head, "id": f"snapshot-{r}-{k}"})
-        data["runs"].append(run_data(runs[r], columns[r], flows[r], encoders[r], walls[r], boxes[r], heads))
-    write_atomically(arguments.output, page(runs, columns, frames, constant, data, stored, arguments))
-    n_snapshots = sum(len({time for part in run.snapshots.values() for time, _ in part}) for run in runs)
-    print(f"Wrote {arguments.output} ({arguments.output.stat().st_size / 1e6:.1f} MB, {sum(map(len, blocks))} of "
-          f"{n_snapshots} snapshots)")
+        data["runs"].append({**flow_data(runs[r], flows[r], encoders[r], walls[r], boxes[r], heads),
+                             **curves_data(runs[r], columns[r])})
+    return page(runs, columns, frames, constant, data, stored, arguments), sum(map(len, blocks))
+
+
+@functools.lru_cache(maxsize=1)
+def plotly_block():
+    """plotly's script, compressed, in base64."""
+    return in_base64(gzip.compress(plotly_script().encode(), 9, mtime=0))
 
 
 def write_atomically(path, text):
@@ -70,6 +87,10 @@ def floats(values):
     return in_base64(np.ascontiguousarray(values, dtype="<f4").tobytes())
 
 
+def numbers(values):
+    return in_base64(np.ascontiguousarray(values, dtype="<u4").tobytes())
+
+
 def common_boxes(boxes):
     """One box for all runs, so that they can be compared, unless it were much larger than the largest of them."""
     lower, upper = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
@@ -77,17 +98,21 @@ def common_boxes(boxes):
     return [(lower, upper)] * len(boxes) if np.prod(upper - lower) <= MOST_ENLARGED * largest else boxes
 
 
-def run_data(run, columns, flow, encoder, walls, box, heads):
+def curves_data(run, columns):
     times, kept = thinned_times(run.time)
+    return {"times": floats(times), "columns": {name: {"label": column.label, "y": floats(kept(column.values))}
+                                                for name, column in columns.items()}}
+
+
+def flow_data(run, flow, encoder, walls, box, heads):
+    """What the page needs to draw the flow and a sketch of the case."""
     gravity = run.case.gravity()
     return {
         "name": run.name, "gravity": [0.] * run.dimension if gravity is None else gravity.tolist(),
-        "times": floats(times),
-        "columns": {name: {"label": column.label, "y": floats(kept(column.values))} for name, column
-                    in columns.items()},
         "labels": labels(run, flow, walls, np.array(box)),
-        "walls": {"lines": [line.tolist() for line in walls.lines], "filled": [bool(filled) for filled in walls.filled],
-                  "n": len(walls.triangles), "triangles": floats(walls.triangles), "edges": floats(walls.edges)},
+        "walls": {"points": floats(walls.states[0].T), "lines": [line.tolist() for line in walls.lines],
+                  "filled": [bool(filled) for filled in walls.filled], "triangles": numbers(walls.triangles.T),
+                  "edges": numbers(walls.edges.T)},
         "flow": {"lower": encoder.lower.tolist(), "size": encoder.size.tolist(),
                  "box": [list(map(float, end)) for end in box],
                  "snapshots": heads},
@@ -164,12 +189,8 @@ def is_number(text):
 
 def page(runs, columns, frames, constant, data, stored, arguments):
     title = arguments.title or ", ".join(run.name for run in runs)
-    blocks = "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
-                       in stored.items())
-    numbers = json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
-    fill = {
+    return filled("report.html", {
         "title": escape(title), "subtitle": escape(subtitle(runs)),
-        "style": (HERE / "report.css").read_text(encoding="utf-8"),
         "overview": report_sections.overview(runs, columns), "sweep": sweep_html(data["sweep"]),
         "flows": flows_html(runs),
         "sketches": sketches_html(runs), "materials": report_sections.materials(runs),
@@ -180,11 +201,20 @@ def page(runs, columns, frames, constant, data, stored, arguments):
         "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
         "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
-        "blocks": blocks, "data": numbers, "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name
-                                                                in SCRIPTS),
+    }, data, stored, SCRIPTS)
+
+
+def filled(template, sections, data, stored, scripts):
+    """The page with its sections, the data, the compressed blocks @p stored, and the scripts."""
+    sections = {
+        **sections, "style": (HERE / "report.css").read_text(encoding="utf-8"), "plotly": plotly_block(),
+        "blocks": "\n".join(f'<script type="text/plain" id="{name}">{in_base64(content)}</script>' for name, content
+                            in stored.items()),
+        "data": json.dumps(data, ensure_ascii=False, allow_nan=False).replace("<", "\\u003c"),
+        "scripts": "\n".join((HERE / name).read_text(encoding="utf-8") for name in scripts),
     }
-    parts = (HERE / "report.html").read_text(encoding="utf-8").split("{{")
-    return parts[0] + "".join(fill[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
+    parts = (HERE / template).read_text(encoding="utf-8").split("{{")
+    return parts[0] + "".join(sections[name] + rest for name, rest in (part.split("}}", 1) for part in parts[1:]))
 
 
 def subtitle(runs):

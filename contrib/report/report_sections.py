@@ -236,8 +236,9 @@ def messages(runs):
             texts.append(f'<p class="failure">The run failed. {escape(log.failure)}</p>')
         if log.stop:
             texts.append(f"<p>{escape(log.stop)}</p>")
-        if run.is_running:
-            texts.append("<p>The run goes on, or was killed: the report has what it had written so far.</p>")
+        if run.lock:
+            words = {"held": "goes on", "left": "was killed"}.get(run.lock, "goes on, or was killed")
+            texts.append(f"<p>The run {words}: the report has what it had written so far.</p>")
         if log.n_resumed:
             texts.append(f"<p>Resumed {log.n_resumed} time{'s' if log.n_resumed > 1 else ''} from a checkpoint.</p>")
         texts.append(listed("Warnings", log.warnings) if log.warnings else "<p>No warnings.</p>")

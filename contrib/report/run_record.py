@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run as its output directory tells it: parameters, statistics, snapshots, and what the log says."""
 
+import os
 import pathlib
 import re
+import socket
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from case_parameters import CaseParameters
+from html_tables import seconds
 from lahar_output import OutputError, read_pvd, read_statistics, read_text
 
 TIME, STEP_SIZE = "Time (s)", "Time step size (s)"
@@ -35,7 +38,7 @@ class Run:
     statistics: dict
     snapshots: dict  # by part a list of (time, path)
     log: Log
-    is_running: bool
+    lock: str  # "": none; "held" by a process that goes on; "left" by one that was killed; "elsewhere": nobody knows
 
     @property
     def dimension(self):
@@ -53,7 +56,11 @@ class Run:
         """How the run ended, in words."""
         end = self.case.number("End time")
         reached = f"{self.time[-1]:.6g} of {end:.6g} s"
-        if self.is_running:
+        if self.lock == "held":
+            return f"goes on, {reached}{self.time_left()}"
+        if self.lock == "left":
+            return f"was killed at {reached}"
+        if self.lock:
             return f"unfinished (its lock is there: it goes on, or was killed), {reached}"
         if self.log.failure:
             return f"failed at {reached}"
@@ -61,16 +68,21 @@ class Run:
             return f"stopped at {reached}"
         return f"finished, {end:.6g} s"
 
+    def time_left(self):
+        """How long a run that goes on takes if it goes on as fast as so far."""
+        start, end = self.case.number("Start time"), self.case.number("End time")
+        walls = self.statistics.get("Wall time (s)")
+        if walls is None or walls.dtype.kind != "f" or not start < self.time[-1] < end:
+            return ""
+        share = (self.time[-1] - start) / (end - start)
+        return f", {100. * share:.0f} %, about {seconds(walls[-1] * (1. - share) / share)} left"
+
 
 def read_runs(arguments):
     """The runs that the arguments OUTPUT or OUTPUT=NAME name; all of one dimension."""
     runs = []
     for argument in arguments:
-        directory, _, name = argument.partition("=")
-        if not pathlib.Path(directory).is_dir() and pathlib.Path(argument).is_dir():
-            directory, name = argument, ""
-        path = pathlib.Path(directory)
-        runs.append(read_run(path, name))
+        runs.append(read_run(*split_argument(argument)))
     if len({run.dimension for run in runs}) > 1:
         raise OutputError("; ".join(f"{run.directory}: 'Dimension' is {run.dimension}" for run in runs)
                           + "; allowed: runs of one dimension in a report")
@@ -85,6 +97,14 @@ def read_runs(arguments):
     return runs
 
 
+def split_argument(argument):
+    """The directory and the name in OUTPUT or OUTPUT=NAME."""
+    directory, _, name = argument.partition("=")
+    if not pathlib.Path(directory).is_dir() and pathlib.Path(argument).is_dir():
+        directory, name = argument, ""
+    return pathlib.Path(directory), name
+
+
 def read_run(directory, name):
     if not directory.is_dir():
         raise OutputError(f"{directory}: no such directory; allowed: the output directory of a run")
@@ -95,7 +115,25 @@ def read_run(directory, name):
     snapshots = read_snapshots(directory / "solution.pvd")
     log = directory / "log"
     return Run(directory, name, case, statistics, snapshots, parse_log(read_text(log)) if log.is_file() else Log(),
-               (directory / "lock").is_file())
+               lock_of(directory))
+
+
+def lock_of(directory):
+    """Whether a run goes on in a directory, see Run.lock."""
+    try:
+        text = (directory / "lock").read_text()
+    except OSError:
+        return ""
+    holder = re.match(r"host (\S+)\s+process (\d+)\s+since ", text)
+    if not holder or holder[1] != socket.gethostname():
+        return "elsewhere"
+    try:
+        os.kill(int(holder[2]), 0)
+    except ProcessLookupError:
+        return "left"
+    except OSError:
+        pass  # a process of somebody else
+    return "held"
 
 
 def read_run_statistics(path):

@@ -4,26 +4,71 @@
 
 const LABEL_COLOURS = {fluid: "#1f4e79", boundary: "#333333", solid: "#7a3e12", point: "#8a1c5a"};
 
-async function drawSketch(div, run, fields)
+async function drawSketch(div, run, fields, hasMesh = false)
 {
   const snapshot = await readSnapshot(run, 0, fields);
   const draw = run.flow.lower.length === 2 ? drawPlaneSketch : drawSpaceSketch;
-  let busy = draw(div, run, snapshot);
-  whenResized(div, () => busy = busy.then(() => draw(div, run, snapshot)));
+  let busy = draw(div, run, snapshot, hasMesh);
+  whenResized(div, () => busy = busy.then(() => draw(div, run, snapshot, hasMesh)));
   return busy;
 }
 
-async function drawPlaneSketch(div, run, snapshot)
+// The edges of triangles as coordinates of lines for plotly.
+function meshLines(surface, points)
+{
+  const [a, b, c] = surface.corners;
+  return points.map(x => Array.from({length: surface.m}, (_, t) => [x[a[t]], x[b[t]], x[c[t]], x[a[t]], null]).flat());
+}
+
+function planeMeshTrace(surface)
+{
+  const [x, y] = meshLines(surface, surface.x);
+  return {type: "scatter", mode: "lines", x, y, hoverinfo: "skip",
+          line: {color: "rgba(40,60,80,0.45)", width: 0.6, simplify: false}};
+}
+
+// Unit normals at the points of a surface in space whose triangles are turned outwards, by component.
+function outwardNormals(surface)
+{
+  const [x, y, z] = surface.x, [A, B, C] = surface.corners, normals = [0, 1, 2].map(() => new Float64Array(surface.n));
+  for (let t = 0; t < surface.m; ++t) {
+    const [a, b, c] = [A[t], B[t], C[t]];
+    const u = [x[b] - x[a], y[b] - y[a], z[b] - z[a]], v = [x[c] - x[a], y[c] - y[a], z[c] - z[a]];
+    for (const point of [a, b, c])
+      for (let d = 0; d < 3; ++d)
+        normals[d][point] += u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
+  }
+  for (let i = 0; i < surface.n; ++i) {
+    const length = Math.hypot(normals[0][i], normals[1][i], normals[2][i]) || 1;
+    normals.forEach(component => component[i] /= length);
+  }
+  return normals;
+}
+
+// The lines are a little outside, where the surface does not hide them.
+function spaceMeshTrace(surface)
+{
+  const size = Math.max(...surface.x.map(x => x.reduce((m, v) => Math.max(m, v), -Infinity)
+    - x.reduce((m, v) => Math.min(m, v), Infinity)));
+  const normals = outwardNormals(surface);
+  const points = surface.x.map((x, d) => x.map((value, i) => value + 8e-3 * size * normals[d][i]));
+  const [x, y, z] = meshLines(surface, points);
+  return {type: "scatter3d", mode: "lines", x, y, z, hoverinfo: "skip", line: {color: "#47698a", width: 2}};
+}
+
+async function drawPlaneSketch(div, run, snapshot, hasMesh)
 {
   const layout = planeLayout(run.flow.box, div.clientWidth),
     points = run.labels.filter(label => label.kind === "point");
   const area = (surface, colour, line) => ({type: "scatter", mode: "lines", ...outlineOf(surface), fill: "toself",
                                             fillcolor: colour,
                                             line: {color: line, width: 1, simplify: false}, hoverinfo: "skip"});
+  const meshes = hasMesh ? [snapshot.fluid, snapshot.solid].filter(Boolean) : [];
   const traces = [
     ...(snapshot.fluid ? [area(snapshot.fluid, FLUID, "#4d7fa6")] : []),
     ...(snapshot.solid ? [area(snapshot.solid, SOLID, "#5a2d0c")] : []),
-    ...wallTraces(run.walls),
+    ...meshes.map(planeMeshTrace),
+    ...wallTraces(run.walls, snapshot.walls),
     {type: "scatter", mode: "markers", x: points.map(p => p.at[0]), y: points.map(p => p.at[1]), hoverinfo: "skip",
      marker: {symbol: "x-thin", size: 9, line: {width: 2, color: LABEL_COLOURS.point}}},
   ];
@@ -95,11 +140,12 @@ class LabelPlacer
   }
 }
 
-async function drawSpaceSketch(div, run, snapshot)
+async function drawSpaceSketch(div, run, snapshot, hasMesh)
 {
+  const meshes = hasMesh ? [snapshot.fluid, snapshot.solid].filter(Boolean) : [];
   const traces = [meshTrace(snapshot.fluid, {color: FLUID, hoverinfo: "skip"}),
                   meshTrace(snapshot.solid, {color: SOLID, hoverinfo: "skip"}),
-                  ...spaceWallTraces(run.walls)];
+                  ...meshes.map(spaceMeshTrace), ...spaceWallTraces(run.walls, snapshot.walls)];
   const layout = spaceLayout(run, div.clientWidth);
   layout.scene.annotations = run.labels.map((label, i) => ({
     x: label.at[0], y: label.at[1], z: label.at[2], text: label.text.replace(/&/g, "&amp;").replace(/</g, "&lt;"),

@@ -56,8 +56,8 @@ namespace Lahar
 
   void Progress::step(const Line &line)
   {
-    const double done = (line.time - start_time) / (end_time - start_time);
-    const double left = wall_time() * (1. - done) / done;
+    const double done      = (line.time - start_time) / (end_time - start_time);
+    const std::string left = duration(wall_time() * (1. - done) / done);
 
     std::ostringstream text;
     text << "step " << std::setw(6) << line.step << "  t = " << std::setw(10) << std::setprecision(6)
@@ -65,12 +65,31 @@ namespace Lahar
          << std::setw(2) << line.iterations << "  dv " << std::scientific << std::setprecision(1)
          << line.velocity_increment << "  dp " << line.pressure_increment << std::defaultfloat << "  cells "
          << line.cells << "  volume " << std::showpos << std::fixed << std::setprecision(3)
-         << 100. * line.volume_error << " %" << std::noshowpos << "  left " << duration(left);
+         << 100. * line.volume_error << " %" << std::noshowpos << "  left " << left;
     on_first_rank(communicator, [&] {
       log.append(text.str() + '\n');
-      if (on_terminal)
+      if (screen.exists())
+        show(line, done, left);
+      else if (on_terminal)
         std::cout << text.str() << std::endl;
     });
+  }
+
+
+
+  void Progress::show(const Line &line, const double done, const std::string &left)
+  {
+    const auto number = [](const char *format, const double value) {
+      char text[32];
+      std::snprintf(text, sizeof(text), format, value);
+      return std::string(text);
+    };
+    screen.show({{number("%3.0f %%", 100. * done), 4},
+                 {"t = " + number("%.5g", line.time) + " of " + number("%.5g s", end_time), 3},
+                 {"step " + std::to_string(line.step), 2},
+                 {"iterations " + number("%2.0f", line.iterations), 0},
+                 {"volume " + number("%+.3f %%", 100. * line.volume_error), 1},
+                 {"left " + left, 5}});
   }
 
 
@@ -81,7 +100,7 @@ namespace Lahar
       if (text.empty())
         return;
       log.append(text + '\n');
-      std::cout << text << std::endl;
+      screen.message(text);
     });
   }
 
@@ -89,6 +108,7 @@ namespace Lahar
 
   void Progress::failure(const std::string &reason) noexcept
   {
+    screen.finish();
     try
     {
       if (is_first_rank(communicator))
@@ -124,6 +144,7 @@ namespace Lahar
     table << "  " << std::left << std::setw(20) << "All" << std::right << std::fixed << std::setprecision(2)
           << std::setw(10) << all << " s" << std::setw(10) << std::setprecision(3) << 1e6 * all / cell_steps
           << " us per cell and step";
+    screen.finish();
     message(table.str());
   }
 } // namespace Lahar

@@ -13,7 +13,7 @@ namespace Lahar
     const double steps   = std::ceil(
         (prm.get_number("End time") - prm.get_number("Start time")) / prm.get_positive("Time step") - 1e-6);
     const double seconds = 4.5 * steps * n_cells * 1e-6 * (dim == 3 ? 8. : is_direct ? 7. : 6.);
-    const double memory  = 150. + n_cells / 1024. * (dim == 3 ? 3. : is_direct ? 12. : 6.);
+    const double memory  = 180. + n_cells / 1024. * (dim == 3 ? 3. : is_direct ? 12. : 6.);
     std::ostringstream text;
     text.precision(2);
     text << "Time steps       " << static_cast<unsigned long>(steps) << "\nEstimate         " << seconds

@@ -20,6 +20,14 @@ namespace Lahar
 
 
   template <int dim>
+  void Simulator<dim>::write_start()
+  {
+    output.write_start(snapshot(), sizes());
+  }
+
+
+
+  template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
     return {particles, fluid_mesh, input.geometry.law(), input.gravity, solids,
@@ -77,6 +85,8 @@ namespace Lahar
 
   template void Simulator<2>::start_output();
   template void Simulator<3>::start_output();
+  template void Simulator<2>::write_start();
+  template void Simulator<3>::write_start();
   template Snapshot<2> Simulator<2>::snapshot();
   template Snapshot<3> Simulator<3>::snapshot();
   template void Simulator<2>::add_statistics(const double, const NonlinearReport &);

@@ -4,6 +4,7 @@
 #include <lahar/postprocess/wall_output.h>
 #include <lahar/simulator/run_output.h>
 #include <lahar/utilities/atomic_file.h>
+#include <lahar/utilities/exceptions.h>
 #include <lahar/utilities/failure.h>
 #include <lahar/utilities/ranks.h>
 
@@ -78,6 +79,28 @@ namespace Lahar
     });
     visualization.write_walls(snapshot.walls);
     write_snapshot(snapshot);
+  }
+
+
+
+  template <int dim>
+  void RunOutput<dim>::write_start(const Snapshot<dim> &snapshot, const std::string &sizes)
+  {
+    on_first_rank(communicator, [&] {
+      const std::string statistics_file = parameters.output_directory + "/statistics"; // no run is without it
+      std::error_code error;
+      if (std::filesystem::exists(statistics_file, error))
+        throw InputError("Option --write-start is '" + parameters.output_directory +
+                         "'. Allowed: a directory without a run, but there is '" + statistics_file + "'.");
+      directory.take(OutputDirectory::Use::overwrite);
+      directory.clear();
+      write_parameters();
+      write_atomically(parameters.output_directory + "/log",
+                       [&](std::ostream &file) { file << sizes << '\n'; });
+    });
+    visualization.write_walls(snapshot.walls);
+    visualization.write(snapshot, fields);
+    release_directory();
   }
 
 

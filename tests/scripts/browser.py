@@ -19,6 +19,7 @@ class Browser:
     def __init__(self, program, width=1280, height=900, patience=240.):
         self.program, self.size, self.patience = program, (width, height), patience
         self.errors, self.replies, self.buffer, self.n = [], {}, b"", 0
+        self.allowed = ("file:", "data:", "blob:", "about:")  # beginnings of what may be asked for
 
     def __enter__(self):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
@@ -89,8 +90,7 @@ class Browser:
             self.errors.append(" ".join(str(part.get("value", part.get("description"))) for part in event["args"]))
         elif method == "Log.entryAdded" and event["entry"]["level"] == "error":
             self.errors.append(event["entry"]["text"])
-        elif method == "Network.requestWillBeSent" and not event["request"]["url"].startswith(("file:", "data:",
-                                                                                               "blob:", "about:")):
+        elif method == "Network.requestWillBeSent" and not event["request"]["url"].startswith(self.allowed):
             self.errors.append("request of " + event["request"]["url"][:200])
 
     def resize(self, width, height):
@@ -113,10 +113,11 @@ class Browser:
         return True
 
     def open(self, path, fragment=""):
-        """Opens a file; returns the seconds until the page says that it is ready, None if it does not."""
+        """Opens a file or an address; returns the seconds until the page says that it is ready, None if it does not."""
         begin = time.monotonic()
         self.call("Page.navigate", url="about:blank")
-        self.call("Page.navigate", url="file://" + os.path.abspath(path) + fragment)
+        address = path if path.startswith("http:") else "file://" + os.path.abspath(path)
+        self.call("Page.navigate", url=address + fragment)
         is_ready = self.wait_for("!!document.body && ['ready', 'failed'].includes(document.body.dataset.state)")
         is_ready = is_ready and self.evaluate("document.body.dataset.state") == "ready"
         return time.monotonic() - begin if is_ready else None

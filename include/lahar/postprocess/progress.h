@@ -6,6 +6,7 @@
 #include <deal.II/base/timer.h>
 
 #include <lahar/utilities/appended_file.h>
+#include <lahar/utilities/terminal_line.h>
 
 #include <chrono>
 #include <string>
@@ -16,8 +17,8 @@ namespace Lahar
 
   /**
    * Tells people how the run goes: one line a step, into the file `log` and, if the standard output is a terminal, on
-   * the screen; what matters once goes to both in any case. The first rank does this; all functions but wall_time() and
-   * failure() are collective, and throw RunError if `log` cannot be written.
+   * the screen, where it rewrites itself as a TerminalLine; what matters once goes to both in any case. The first rank
+   * does this; all functions but wall_time() and failure() are collective, and throw RunError if `log` cannot be written.
    */
   class Progress
   {
@@ -59,9 +60,13 @@ namespace Lahar
     double wall_time() const;
 
   private:
+    /// The line on the screen.
+    void show(const Line &line, const double done, const std::string &left);
+
     MPI_Comm communicator;
     AppendedFile log;
     bool on_terminal;
+    TerminalLine screen;
     double start_time, end_time, earlier_wall_time;
     std::chrono::steady_clock::time_point start;
   };

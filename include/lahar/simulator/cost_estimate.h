@@ -11,7 +11,7 @@ namespace Lahar
 {
   /**
    * What a run will take on one rank, for option --check: the number of steps is the run's time over 'Time step', the wall
-   * time steps × cells × 4.5 nonlinear iterations × t, the memory 150 MiB + cells × m, with what doc/performance.md has
+   * time steps × cells × 4.5 nonlinear iterations × t, the memory 180 MiB + cells × m, with what doc/performance.md has
    * measured:
    *
    * | | t (µs) | m (kB) |

@@ -60,6 +60,10 @@ namespace Lahar
     /// Begin the files of a new run, with a first snapshot. @param sizes is a message for people.
     void begin(const Snapshot<dim> &snapshot, const std::string &sizes);
 
+    /// Write a snapshot of the start, walls, parameters and, into `log`, @p sizes, over those of an earlier start.
+    /// @throws InputError if the directory has a run.
+    void write_start(const Snapshot<dim> &snapshot, const std::string &sizes);
+
     /// Go on with those of a run that has been loaded, at @p time (s) after @p n_steps steps.
     void resume(const double time, const unsigned int n_steps, const std::string &sizes);
 

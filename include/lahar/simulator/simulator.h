@@ -62,6 +62,9 @@ namespace Lahar
     /// What initialize() or resume() made, in a few lines. Collective.
     std::string sizes() const;
 
+    /// Write what initialize() made into the output directory, as RunOutput::write_start(). Collective.
+    void write_start();
+
     /// Compute to the end time, or until a signal of StopSignal comes. Leaves a checkpoint. @throws RunError, whose reason
     /// stands in `log`, too.
     void run();

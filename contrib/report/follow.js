@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a run that goes on: asks its server for later versions, and takes over what is new in them.
+"use strict";
+
+const PAUSE = 1000, MOST_FAILURES = 5; // milliseconds between two questions; questions without answer
+const RENEWED = ["overview", "forces", "curves", "accounts", "computation", "messages"];
+
+class Follower
+{
+  constructor(report, player, sweep)
+  {
+    Object.assign(this, {report, player, sweep, line: document.getElementById("follow"), failures: 0});
+    this.line.hidden = false;
+  }
+
+  say(text)
+  {
+    this.line.textContent = text;
+  }
+
+  async follow()
+  {
+    while (this.failures < MOST_FAILURES) {
+      try {
+        const state = await (await fetch(`version?${this.report.version}`)).json();
+        this.failures = 0;
+        if (state.version !== this.report.version) {
+          await this.takeOver(await (await fetch("news")).text());
+          continue;
+        }
+        if (state.ended)
+          return this.say("The run has ended.");
+        this.say(state.complaint ? `Not up to date: ${state.complaint}` : `Up to date at ${new Date().toLocaleTimeString()}.`);
+      }
+      catch (error) {
+        if (!(error instanceof TypeError))
+          throw error;
+        ++this.failures; // nobody answers
+      }
+      await new Promise(done => setTimeout(done, PAUSE));
+    }
+    this.say("lahar-report has ended: this is the run as it was then.");
+  }
+
+  async takeOver(text)
+  {
+    const page = new DOMParser().parseFromString(text, "text/html");
+    const report = JSON.parse(page.getElementById("report").textContent);
+    if (this.shape(report) !== this.shape(this.report)) {
+      location.reload();
+      return new Promise(() => {});
+    }
+    this.report = report;
+    for (const block of page.querySelectorAll("script[id^=snapshot]")) {
+      const old = document.getElementById(block.id);
+      if (old)
+        old.textContent = block.textContent;
+      else
+        document.body.append(document.importNode(block, true));
+    }
+    await this.player.update(report);
+    document.querySelector(".subtitle").replaceWith(page.querySelector(".subtitle"));
+    RENEWED.forEach(id => this.renew(document.getElementById(id), page.getElementById(id)));
+    if (this.sweep)
+      this.sweep.update(report);
+    document.body.dataset.version = report.version;
+  }
+
+  // What must not change for a page to be the same one.
+  shape(report)
+  {
+    const names = report.sweep ? report.sweep.measures.map(measure => measure.name) : [];
+    return JSON.stringify([Object.keys(report.fields), report.runs.map(run => run.name), names]);
+  }
+
+  // Puts a section into the place of the old one; curves that are drawn stay where they are, with new values.
+  renew(old, fresh)
+  {
+    const drawn = new Map([...old.querySelectorAll("[data-drawn]")].map(div => [div.dataset.drawn, div]));
+    const open = [...old.querySelectorAll("details")].map(box => box.open);
+    fresh.querySelectorAll("details").forEach((box, i) => box.open = open[i]);
+    const waiting = [];
+    for (const div of fresh.querySelectorAll("[data-plot]")) {
+      const kept = drawn.get(this.report.plots[div.dataset.plot].title);
+      if (kept) {
+        kept.dataset.plot = div.dataset.plot;
+        div.replaceWith(kept);
+        drawFrame(kept, this.report, this.player);
+      }
+      else
+        waiting.push(div);
+    }
+    old.replaceWith(fresh);
+    whenVisible(waiting, div => drawFrame(div, this.report, this.player));
+  }
+}

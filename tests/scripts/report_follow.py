@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""contrib/report/lahar-report --follow on a directory that grows like that of a run which goes on, with files that are
+half written: the page has what is there, takes over what comes without a reload, and ends with the run.
+
+Usage: report_follow.py LAHAR CHROMIUM. Exit status 77 (skipped) without numpy or plotly; without Chromium only what the
+server says is tested.
+"""
+import importlib.util
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.error
+import urllib.request
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, HERE)
+from browser import Browser  # noqa: E402
+from report import PLANE, REPORT, SKIPPED, Page, compute, show, write_report  # noqa: E402
+from program_test import check, failed  # noqa: E402
+from scripts import is_refused, run_script  # noqa: E402
+
+PATIENCE = 120.  # s, on a busy machine
+
+
+def start(directory, *arguments):
+    """lahar-report --follow as a process, and the address that it says."""
+    process = subprocess.Popen([sys.executable, "-B", os.path.join(ROOT, "contrib", REPORT), "--follow", *arguments],
+                               cwd=directory, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True)
+    line = process.stdout.readline()
+    found = re.match(r"(http://127\.0\.0\.1:(\d+)/) shows ", line)
+    check("it says where the page is", found is not None, line, "" if found else process.stderr.read())
+    return process, found[1]
+
+
+def ask(address, **headers):
+    with urllib.request.urlopen(urllib.request.Request(address, headers=headers), timeout=PATIENCE) as reply:
+        return reply.read().decode()
+
+
+def wait_for_version(address, least):
+    """Waits for this version of the page or a later one; the server's state."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        state = json.loads(ask(address + "version"))
+        if state["version"] >= least:
+            return state
+        time.sleep(0.1)
+    return state
+
+
+class GrowingRun:
+    """The files of a finished run, put into a directory bit by bit."""
+
+    def __init__(self, whole, directory):
+        self.whole, self.directory = whole, directory
+        os.mkdir(directory)
+        shutil.copy(os.path.join(whole, "parameters.prm"), directory)
+        self.write("lock", f"host {socket.gethostname()}\nprocess {os.getpid()}\nsince 2026-01-01 00:00:00 UTC\n")
+
+    def read(self, name):
+        with open(os.path.join(self.whole, name)) as file:
+            return file.read()
+
+    def write(self, name, text):
+        with open(os.path.join(self.directory, name), "w") as file:
+            file.write(text)
+
+    def grow(self, n_steps, n_snapshots):
+        """So many steps and snapshots, and the half of the next lines."""
+        for k in range(n_snapshots):
+            for name in ("solution", "solid"):
+                shutil.copy(os.path.join(self.whole, f"{name}-{k:05}.vtu"), self.directory)
+        shutil.copy(os.path.join(self.whole, "walls.vtu"), self.directory)
+        records = self.read("solution.pvd").splitlines(keepends=True)
+        n_sets = [i for i, line in enumerate(records) if f"solution-{n_snapshots - 1:05}" in line][0] + 3
+        self.write("solution.pvd", "".join(records[:n_sets] + records[-2:]))
+        for name in ("statistics", "log"):
+            lines = self.read(name).splitlines(keepends=True)
+            first = next(i for i, line in enumerate(lines) if re.match(r" *1 |step +1 ", line))
+            rest = "".join(lines[first + n_steps:])
+            self.write(name, "".join(lines[:first + n_steps]) + rest[:len(lines[first]) - 3])
+
+    def end(self):
+        for name in os.listdir(self.whole):
+            if name != "checkpoint":
+                shutil.copy(os.path.join(self.whole, name), self.directory)
+        os.remove(os.path.join(self.directory, "lock"))
+
+
+FRONT = """[...document.querySelectorAll("[data-plot]")].map(div => div.data && div.data[0].x.length || 0)
+  .reduce((a, b) => Math.max(a, b), 0)"""
+SLIDER = 'document.getElementById("slider").value + " of " + document.getElementById("slider").max'
+
+
+def test_following(directory, whole, browser):
+    run = GrowingRun(os.path.join(directory, whole), os.path.join(directory, "growing"))
+    process, address = start(directory, "growing", "-o", "end.html")
+    check("before the first step the page says so", "statistics" in ask(address) and json.loads(ask(
+        address + "version"))["version"] == 0, ask(address))
+    run.grow(4, 2)
+    state = wait_for_version(address, 1)
+    check("then there is a page", state == {"version": 1, "ended": False, "complaint": ""}, state)
+    check("that says how far the run is", re.search(r'class="subtitle">goes on, 0\.016 of 0\.048 s, 33 %, about .* left',
+                                                    ask(address)), ask(address)[:3000])
+    check("the news come without plotly", len(ask(address + "news")) < len(ask(address)) / 2)
+    for host in ("example.org", "127.0.0.1"):
+        try:
+            check(f"a page of {host} learns nothing", not ask(address, Host=host))
+        except urllib.error.HTTPError as error:
+            check(f"a page of {host} learns nothing", error.code == 404)
+
+    if browser:
+        browser.allowed += (address,)
+        check("the page opens", browser.open(address) is not None, browser.errors)
+        check("with the last snapshot", browser.evaluate(SLIDER) == "1 of 1", browser.evaluate(SLIDER))
+        browser.evaluate('document.getElementById("curves").scrollIntoView()')
+        check("its curves have the whole steps", browser.wait_for(f"{FRONT} === 4"), browser.evaluate(FRONT))
+        browser.evaluate("window.here = true")
+    run.grow(10, 4)
+    state = wait_for_version(address, 2)
+    if browser:
+        version = state["version"]
+        check("the page takes over what is new", browser.wait_for(f'document.body.dataset.version == {version}'))
+        check("without a reload", browser.evaluate("window.here") is True)
+        check("its curves go on", browser.wait_for(f"{FRONT} === 10"), browser.evaluate(FRONT))
+        check("it stays with the last snapshot", browser.wait_for(f'{SLIDER} === "3 of 3"'), browser.evaluate(SLIDER))
+        check("the state is new", "83 %" in browser.evaluate('document.querySelector(".subtitle").textContent'))
+        show(browser, 1, "pressure")
+
+    records = os.path.join(run.directory, "solution.pvd")
+    with open(records) as file:
+        text = file.read()
+    run.write("solution.pvd", text[:len(text) // 2])
+    end = time.monotonic() + PATIENCE
+    while not json.loads(ask(address + "version"))["complaint"] and time.monotonic() < end:
+        time.sleep(0.1)
+    state = json.loads(ask(address + "version"))
+    check("files that cannot be read are complained about, and the page stays", "solution.pvd" in state["complaint"]
+          and "goes on" in ask(address), state)
+    if browser:
+        check("in the page, too", browser.wait_for(
+            'document.getElementById("follow").textContent.includes("solution.pvd")'))
+    run.end()
+    if browser:
+        check("the page says that the run has ended", browser.wait_for(
+            'document.getElementById("follow").textContent === "The run has ended."'))
+        check("it has all snapshots, and stays with the one that was chosen", browser.evaluate(SLIDER) == "1 of 4"
+              and browser.evaluate('document.getElementById("field").value') == "pressure", browser.evaluate(SLIDER))
+        check("and what the run ended with", browser.evaluate(
+            'document.querySelector(".subtitle").textContent').startswith("finished, 0.048 s"))
+        check("nobody complains", not browser.errors
+              and browser.evaluate('document.getElementById("complaint").hidden'), browser.errors)
+    text, errors = process.communicate(timeout=PATIENCE)
+    check("it ends with the run", process.returncode == 0 and not errors and "The run has ended." in text, text, errors)
+    page = Page(os.path.join(directory, "end.html"))
+    other = write_report(directory, "other.html", "growing")
+    check("and leaves the report of the whole run", page.data == other.data)
+
+
+def test_ends(directory, whole):
+    run = GrowingRun(os.path.join(directory, whole), os.path.join(directory, "stopped"))
+    run.grow(4, 2)
+    process, address = start(directory, "stopped")
+    wait_for_version(address, 1)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=PATIENCE)
+    check("Ctrl-C ends it", process.returncode == 0 and not errors, errors)
+    result = run_script(directory, REPORT, "--follow", whole)
+    check("a run that has ended is refused", is_refused(result, "no run goes on", "-o"), result.stderr)
+    dead = subprocess.Popen(["true"])
+    dead.wait()
+    run.write("lock", f"host {socket.gethostname()}\nprocess {dead.pid}\nsince 2026-01-01 00:00:00 UTC\n")
+    result = run_script(directory, REPORT, "--follow", "stopped")
+    check("and one that was killed", is_refused(result, "no run goes on"), result.stderr)
+    check("which its report says", "was killed at 0.016" in write_report(directory, "killed.html", "stopped").text)
+    run.write("lock", f"host {socket.gethostname()}\nprocess {os.getpid()}\nsince 2026-01-01 00:00:00 UTC\n")
+    for port in ("70000", "-3"):
+        result = run_script(directory, REPORT, "--follow", "stopped", "--port", port)
+        check(f"port {port} is refused", is_refused(result, "--port", "allowed"), result.stderr)
+    result = run_script(directory, REPORT, "stopped")
+    check("neither -o nor --follow is refused", is_refused(result, "-o", "--follow"), result.stderr)
+
+
+def main():
+    lahar, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
+    for module in ("numpy", "plotly"):
+        if not importlib.util.find_spec(module):
+            print(f"not tested: {module} is missing")
+            sys.exit(SKIPPED)
+    with tempfile.TemporaryDirectory() as directory:
+        whole = compute(lahar, directory, "whole", PLANE)
+        if os.path.isfile(chromium):
+            with Browser(chromium) as browser:
+                test_following(directory, whole, browser)
+        else:
+            test_following(directory, whole, None)
+        test_ends(directory, whole)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
