@@ -44,9 +44,13 @@ namespace Lahar
         !text.empty())
       output.warn(text);
     SlipCondition<dim>(WallStep<dim>(walls)).initialize(particles);
+    inlets.start(input.geometry.inflows(), walls, particles);
+    outlets = input.geometry.outlets();
+    outlets.check_initial(particles);
     input.domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
+    inlets.find_shares(walls, particles, fluid_mesh, communicator());
     time = input.run.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     account.volume.begin(fluid_volume());
