@@ -16,6 +16,21 @@ namespace Lahar
   {
     /// No particle that comes in moves by more than this times its spacing in a step: none would be left out.
     constexpr double largest_movement = 0.9;
+
+    /// Smaller changes of a layer, over h^dim, are rounding.
+    constexpr double smallest_debt = 1e-10;
+
+    /// Of a face, on a plane with the unit normal @p normal.
+    template <int dim>
+    double projected_area(const std::array<unsigned int, dim> &face, const ParticleCloud<dim> &cloud,
+                          const Tensor<1, dim> &normal)
+    {
+      const std::vector<Point<dim>> &x = cloud.position;
+      if constexpr (dim == 2)
+        return std::abs(cross_product_2d(x[face[1]] - x[face[0]]) * normal);
+      else
+        return 0.5 * std::abs(cross_product_3d(x[face[1]] - x[face[0]], x[face[2]] - x[face[0]]) * normal);
+    }
   } // namespace
 
 
@@ -40,17 +55,36 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<double> Inlets<dim>::means(const double time, const double length) const
+  double Inlets<dim>::mean(const Inlet &inlet, const double time, const double step_length)
   {
-    std::vector<double> result;
-    for (const Inlet &inlet : inlets)
-      try
+    try
+    {
+      return inlet.source.law->mean(time, step_length);
+    }
+    catch (const RunError &error)
+    {
+      throw RunError("boundary '" + inlet.source.name + "': " + error.what());
+    }
+  }
+
+
+
+  template <int dim>
+  std::vector<double> Inlets<dim>::own_shares(const ParticleCloud<dim> &cloud,
+                                              const FluidMesh<dim> &mesh) const
+  {
+    std::vector<double> result(cloud.size(), 0.);
+    for (const Face &face : find_faces(cloud, mesh))
+      for (const unsigned int i : face.corners)
+        if (cloud.is_own(i) && comes_in(i, cloud))
+          result[i] += projected_area<dim>(face.corners, cloud, inlet(i, cloud).direction) / dim;
+    // Without a face it becomes a drop.
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (result[i] == 0. && cloud.is_own(i) && comes_in(i, cloud))
       {
-        result.push_back(inlet.source.law->mean(time, length));
-      }
-      catch (const RunError &error)
-      {
-        throw RunError("boundary '" + inlet.source.name + "': " + error.what());
+        const Inlet &from = inlet(i, cloud);
+        if (!from.area.empty())
+          result[i] = from.area[from.home(cloud.position[i])];
       }
     return result;
   }
@@ -58,39 +92,68 @@ namespace Lahar
 
 
   template <int dim>
-  void Inlets<dim>::constrain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh, const double time,
-                              const double length, std::vector<NodeConstraint<dim>> &constraints) const
+  void Inlets<dim>::start_step(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                               const MPI_Comm &communicator, const double time, const double new_length)
   {
+    length = new_length;
+    flux   = 0.;
     if (!any())
       return;
-    const std::vector<double> mean = means(time, length);
-    for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+    std::vector<double> sums(inlets.size(), 0.); // Σ A φ
+    const std::vector<double> shares = own_shares(cloud, mesh);
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.is_own(i) && comes_in(i, cloud))
+      {
+        const Inlet &from = inlet(i, cloud);
+        sums[&from - inlets.data()] += shares[i] * from.factor[from.home(cloud.position[i])];
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    for (unsigned int n = 0; n < inlets.size(); ++n)
+    {
+      Inlet &from = inlets[n];
+      from.speed  = mean(from, time, length);
+      if (from.source.law->is_discharge())
+        from.speed /= sums[n];
+      flux += from.speed * sums[n];
+      for (unsigned int k = 0; k < from.homes.size(); ++k)
+        if (const double movement = length * from.speed * from.factor[k] / from.spacing[k];
+            movement > largest_movement)
+        {
+          std::ostringstream message;
+          message << "boundary '" << from.source.name << "': inflow moves by " << movement
+                  << " times the spacing, " << largest_movement << " is allowed";
+          throw RunError(message.str());
+        }
+    }
+  }
+
+
+
+  template <int dim>
+  void Inlets<dim>::constrain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                              std::vector<NodeConstraint<dim>> &constraints) const
+  {
+    for (unsigned int v = 0; v < mesh.n_vertices() && any(); ++v)
       if (const unsigned int i = mesh.particle(v); comes_in(i, cloud))
       {
         const Inlet &from       = inlet(i, cloud);
         constraints[v]          = NodeConstraint<dim>();
         constraints[v].n_fixed  = dim;
         constraints[v].moves    = true;
-        constraints[v].velocity = mean[&from - inlets.data()] * from.factor[from.home(cloud.position[i])] *
-                                  from.direction;
+        constraints[v].velocity = from.speed * from.factor[from.home(cloud.position[i])] * from.direction;
       }
   }
 
 
 
   template <int dim>
-  void Inlets<dim>::carry(const std::vector<Point<dim>> &old_position, const double time, const double length,
-                          ParticleCloud<dim> &cloud) const
+  void Inlets<dim>::carry(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const
   {
-    if (!any())
-      return;
-    const std::vector<double> mean = means(time, length);
-    for (unsigned int i = 0; i < cloud.size(); ++i)
+    for (unsigned int i = 0; i < cloud.size() && any(); ++i)
       if (comes_in(i, cloud))
       {
         const Inlet &from = inlet(i, cloud);
-        cloud.velocity[i] = mean[&from - inlets.data()] * from.factor[from.home(old_position[i])] *
-                            from.direction;
+        cloud.velocity[i] = from.speed * from.factor[from.home(old_position[i])] * from.direction;
         cloud.position[i] = old_position[i] + length * cloud.velocity[i];
       }
   }
@@ -98,56 +161,64 @@ namespace Lahar
 
 
   template <int dim>
-  double Inlets<dim>::volume(const double time, const double length) const
+  std::map<std::uint64_t, double> Inlets<dim>::layers(const ParticleCloud<dim> &cloud,
+                                                      const FluidMesh<dim> &mesh) const
   {
-    const std::vector<double> mean = means(time, length);
-    double sum                     = 0.;
-    for (unsigned int n = 0; n < inlets.size(); ++n)
-      for (unsigned int k = 0; k < inlets[n].homes.size(); ++k)
-        sum += length * mean[n] * inlets[n].area[k] * inlets[n].factor[k];
-    return sum;
-  }
-
-
-
-  template <int dim>
-  double Inlets<dim>::layer_volume(const ParticleCloud<dim> &cloud) const
-  {
-    double sum = 0.;
-    for (unsigned int i = 0; i < cloud.size() && any(); ++i)
-      if (cloud.is_own(i) && comes_in(i, cloud))
-      {
-        const Inlet &from = inlet(i, cloud);
-        sum += from.area[from.home(cloud.position[i])] * from.travel(cloud.position[i]);
-      }
-    return sum;
-  }
-
-
-
-  template <int dim>
-  double Inlets<dim>::fastest(const double time, const double length) const
-  {
-    const std::vector<double> mean = means(time, length);
-    double result                  = 0.;
-    for (unsigned int n = 0; n < inlets.size(); ++n)
-      for (unsigned int k = 0; k < inlets[n].homes.size(); ++k)
-        result = std::max(result, mean[n] * inlets[n].factor[k] / inlets[n].spacing[k]);
+    std::map<std::uint64_t, double> result;
+    if (!any())
+      return result;
+    const std::vector<double> shares = own_shares(cloud, mesh);
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (shares[i] > 0.)
+        result[cloud.number[i]] = shares[i] * inlet(i, cloud).travel(cloud.position[i]);
     return result;
   }
 
 
 
   template <int dim>
-  void Inlets<dim>::check_movement(const double time, const double length) const
+  double Inlets<dim>::layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const
   {
-    if (const double movement = fastest(time, length) * length; movement > largest_movement)
+    double sum = 0.;
+    for (const auto &[number, volume] : layers(cloud, mesh))
+      sum += volume;
+    return sum;
+  }
+
+
+
+  template <int dim>
+  void Inlets<dim>::owe_layers(const std::map<std::uint64_t, double> &before, const FluidMesh<dim> &mesh,
+                               const Migration<dim> &migration, ParticleCloud<dim> &cloud) const
+  {
+    if (!any())
+      return;
+    for (const auto &[number, volume] : layers(cloud, mesh))
+      if (const auto old = before.find(number); old != before.end())
+        if (const unsigned int i = cloud.find(number);
+            std::abs(volume - old->second) > smallest_debt * std::pow(cloud.spacing[i], dim))
+          cloud.owed_volume[i] += volume - old->second;
+    migration.update(cloud.owed_volume);
+  }
+
+
+
+  template <int dim>
+  double Inlets<dim>::fastest(const double time, const double step_length) const
+  {
+    double result = 0.;
+    for (const Inlet &from : inlets)
     {
-      std::ostringstream message;
-      message << "inflow moves by " << movement << " times the spacing, " << largest_movement
-              << " is allowed";
-      throw RunError(message.str());
+      double whole = 0., largest = 0.;
+      for (unsigned int k = 0; k < from.homes.size(); ++k)
+      {
+        whole += from.area[k] * from.factor[k];
+        largest = std::max(largest, from.factor[k] / from.spacing[k]);
+      }
+      result = std::max(result, mean(from, time, step_length) * largest /
+                                  (from.source.law->is_discharge() ? whole : 1.));
     }
+    return result;
   }
 
 

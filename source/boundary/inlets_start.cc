@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/inlets.h>
-#include <lahar/geometry/simplex_geometry.h>
 
 #include <algorithm>
 #include <sstream>
@@ -105,21 +104,15 @@ namespace Lahar
     std::vector<std::vector<double>> shares;
     for (const Inlet &inlet : inlets)
       shares.emplace_back(inlet.homes.size() + 2, 0.);
+    const std::vector<double> own = own_shares(cloud, mesh);
     for (const Face &face : find_faces(cloud, mesh))
       for (const unsigned int i : face.corners)
         if (cloud.is_own(i) && comes_in(i, cloud))
         {
           const Inlet &from          = inlet(i, cloud);
           std::vector<double> &share = shares[&from - inlets.data()];
-          const double side          = from.travel(cloud.position[face.inner]);
-          share[from.homes.size() + (side > 0. ? 0 : 1)] += 1.;
-          // The area vector of the face is that of the simplex over its height.
-          Simplex<dim> cell;
-          std::copy(face.corners.begin(), face.corners.end(), cell.begin());
-          cell[dim]          = face.inner;
-          const auto corners = corners_of<dim>(cell, cloud.position);
-          share[from.home(cloud.position[i])] += std::abs(
-            signed_volume<dim>(corners) * (shape_gradients<dim>(corners)[dim] * from.direction));
+          share[from.homes.size() + (from.travel(cloud.position[face.inner]) > 0. ? 0 : 1)] += 1.;
+          share[from.home(cloud.position[i])] = own[i];
         }
     for (unsigned int n = 0; n < inlets.size(); ++n)
     {
@@ -148,9 +141,6 @@ namespace Lahar
       if (!(mean > 0.))
         throw InputError("Parameter '" + inlet.source.law->path("Profile") +
                          "' is zero all over the boundary. Allowed: a function above zero somewhere on it.");
-      if (inlet.source.law->is_discharge())
-        for (double &factor : inlet.factor)
-          factor /= mean;
     }
     check_space(walls);
   }

@@ -51,6 +51,8 @@ namespace Lahar
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
     inlets.find_shares(walls, particles, fluid_mesh, communicator());
+    inlets.start_step(particles, fluid_mesh, communicator(), input.run.start_time, 0.);
+    inlets.carry(particles.position, particles); // they move from the start
     time = input.run.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     account.volume.begin(fluid_volume());

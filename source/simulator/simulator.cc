@@ -102,7 +102,7 @@ namespace Lahar
   {
     return sum_of_ranks(fluid_mesh.volume(particles) +
                         VolumeCorrection<dim>::carried_volume(fluid_mesh, particles) +
-                        inlets.layer_volume(particles));
+                        inlets.layer_volume(particles, fluid_mesh));
   }
 
 
@@ -137,10 +137,10 @@ namespace Lahar
       {
         time_integration.start_step(time_step, counters.steps == 0);
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
-        inlets.check_movement(time, time_step);
+        inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
         problem.start_step(
           {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
-           time + time_step, constraints(*wall_step, time_step), remeshing.arrives,
+           time + time_step, constraints(*wall_step), remeshing.arrives,
            SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws())});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
@@ -193,6 +193,7 @@ namespace Lahar
     migrate();
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     input.mesh_size.update(particles);
+    const std::map<std::uint64_t, double> layers = inlets.layers(particles, fluid_mesh);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
@@ -202,6 +203,8 @@ namespace Lahar
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
+    if (remesher.keeps_volume())
+      inlets.owe_layers(layers, fluid_mesh, migration, particles);
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
     account.volume.remeshed(fluid_volume());
     account.momentum.changed(fluid_momentum());
@@ -262,11 +265,11 @@ namespace Lahar
     const std::vector<Point<dim>> old_position = particles.position;
     problem.accept(particles, solids);
     wall_step.carry_particles(old_position, particles);
-    inlets.carry(old_position, time, time_step, particles);
+    inlets.carry(old_position, particles);
     take_mean_forces();
     if (input.geometry.has_fluid())
     {
-      account.volume.solved(fluid_volume(), inlets.volume(time, time_step));
+      account.volume.solved(fluid_volume(), inlets.volume());
       account.momentum.start_step(time_integration.carried_time());
       account.momentum.set(fluid_momentum());
     }
@@ -342,15 +345,14 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<NodeConstraint<dim>> Simulator<dim>::constraints(const WallStep<dim> &wall_step,
-                                                               const double time_step) const
+  std::vector<NodeConstraint<dim>> Simulator<dim>::constraints(const WallStep<dim> &wall_step) const
   {
     const SlipCondition<dim> slip_condition(wall_step);
     std::vector<NodeConstraint<dim>> result;
     result.reserve(fluid_mesh.n_vertices());
     for (const unsigned int particle : fluid_mesh.particles())
       result.push_back(slip_condition.constraint(particle, particles));
-    inlets.constrain(particles, fluid_mesh, time, time_step, result);
+    inlets.constrain(particles, fluid_mesh, result);
     return result;
   }
 

@@ -10,6 +10,7 @@
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,14 @@ namespace Lahar
    * between the two, which the mesh gets at once, hold what has come in.
    *
    * The layer between the boundary and its particles is fluid, too, for the account of the volume: Σ A_k s_k, with the
-   * travel s_k of particle k and A_k its share of the boundary, that of the faces of the first mesh, projected on the
-   * boundary's plane and divided evenly among their corners. In a step the volume grows by Δt Σ A_k v_k, and when
-   * particles are renewed not at all. A given discharge Q is just this: v_k = Q φ_k / Σ A φ.
+   * travel s_k of particle k and A_k its share of the boundary, that of the mesh's faces, projected on the boundary's
+   * plane and divided evenly among their corners. In a step the volume grows by Δt Σ A_k v_k, which is the discharge Q if
+   * that is given, v_k = Q φ_k / Σ A φ. It does not change when particles are renewed, nor when the mesh joins others of
+   * them by faces.
    *
    * Homes at the rim of a hole in a slip wall stay where they are, as those at the rim of a wall without slip, which are
    * the wall's own particles. A particle at a home without fluid before it becomes a drop, which carries its volume A_k h
-   * until it lands.
+   * until it lands, A_k its share of the first mesh.
    */
   template <int dim>
   class Inlets
@@ -62,25 +64,40 @@ namespace Lahar
       return !inlets.empty();
     }
 
-    /// Prescribe the mean velocities in the step from @p time by @p length (s) of those vertices that come in.
-    void constrain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh, const double time,
-                   const double length, std::vector<NodeConstraint<dim>> &constraints) const;
+    /// Find the velocities in the step from @p time by @p new_length (s), which the next functions are about. Collective.
+    /// @throws RunError if a particle would move too far.
+    void start_step(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh, const MPI_Comm &communicator,
+                    const double time, const double new_length);
 
-    /// Move the particles to where they are at the end of that step; they were at @p old_position.
-    void carry(const std::vector<Point<dim>> &old_position, const double time, const double length,
-               ParticleCloud<dim> &cloud) const;
+    /// Prescribe the mean velocities of those vertices that come in.
+    void constrain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                   std::vector<NodeConstraint<dim>> &constraints) const;
+
+    /// Move the particles to where they are at the end of the step; they were at @p old_position.
+    void carry(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const;
 
     /// What comes in during the step, m^dim.
-    double volume(const double time, const double length) const;
+    double volume() const
+    {
+      return length * flux;
+    }
 
-    /// What has come in behind this rank's own particles, m^dim.
-    double layer_volume(const ParticleCloud<dim> &cloud) const;
+    /// What has come in behind this rank's own particles, m^dim, by their numbers.
+    std::map<std::uint64_t, double> layers(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
 
-    /// The largest v/h in the step, 1/s.
-    double fastest(const double time, const double length) const;
+    /// The sum of these.
+    double layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
 
-    /// @throws RunError if a particle moves too far in the step.
-    void check_movement(const double time, const double length) const;
+    /**
+     * Let the particles owe what the layers have become larger by since they were @p before: a new mesh has left out
+     * simplices of particles that come in alone, whose volume is in the layer now, and the free surface has given it a
+     * second time (VolumeCorrection). Collective.
+     */
+    void owe_layers(const std::map<std::uint64_t, double> &before, const FluidMesh<dim> &mesh,
+                    const Migration<dim> &migration, ParticleCloud<dim> &cloud) const;
+
+    /// About the largest v/h in a step, 1/s.
+    double fastest(const double time, const double step_length) const;
 
     /// Renew the particles that have come far enough. @return how many of all ranks. Collective.
     unsigned int renew(const Walls<dim> &walls, const MPI_Comm &communicator, ParticleCloud<dim> &cloud,
@@ -92,9 +109,10 @@ namespace Lahar
       Source source;
       std::vector<Point<dim>> homes;
       PointSet<dim> places;              ///< of the homes
-      std::vector<double> spacing, area; ///< h, m; A, m^(dim−1)
-      std::vector<double> factor;        ///< v over the law's mean, of the homes
+      std::vector<double> spacing, area; ///< h, m; A of the first mesh, m^(dim−1)
+      std::vector<double> factor;        ///< φ of the homes
       Tensor<1, dim> direction;          ///< into the fluid
+      double speed = 0.;                 ///< v/φ in the step, m/s
 
       /// The home of a particle.
       unsigned int home(const Point<dim> &position) const;
@@ -104,8 +122,8 @@ namespace Lahar
       }
     };
 
-    /// A face of the mesh's boundary, as particles, without fluid but with a particle that comes in; its cell's volume
-    /// has the opposite corner @p inner.
+    /// A face of the mesh's boundary, as particles, without fluid but with a particle that comes in; @p inner is the other
+    /// corner of its cell.
     struct Face
     {
       std::array<unsigned int, dim> corners;
@@ -125,8 +143,11 @@ namespace Lahar
 
     std::vector<Face> find_faces(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
 
-    /// The laws' means in a step, by inlet.
-    std::vector<double> means(const double time, const double length) const;
+    /// By particle the share of this rank's own particles in the boundary, A.
+    std::vector<double> own_shares(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
+
+    /// The law's mean in a step. @throws RunError
+    static double mean(const Inlet &inlet, const double time, const double step_length);
 
     void check_space(const Walls<dim> &walls) const;
 
@@ -136,6 +157,7 @@ namespace Lahar
 
     std::vector<Inlet> inlets;
     std::vector<unsigned int> inlet_of; ///< by boundary
+    double length = 0., flux = 0.;      ///< of the step: s, m^dim/s
   };
 } // namespace Lahar
 

@@ -121,8 +121,7 @@ namespace Lahar
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
     /// What walls and inflow prescribe in a step, by vertex.
-    std::vector<NodeConstraint<dim>> constraints(const WallStep<dim> &wall_step,
-                                                 const double time_step) const;
+    std::vector<NodeConstraint<dim>> constraints(const WallStep<dim> &wall_step) const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.
     void create_first_mesh();
     /// Say where the first mesh does not show the shapes that were asked for.
