@@ -177,10 +177,17 @@ def volume_account(columns):
                 ("left the domain", "Volume left the domain", -1.)) if stem in by_stem]
     first = 1. + 0.01 * sum(by_stem[stem].values[0] for stem in ("Volume change by solver",
                                                                  "Volume change by remeshing"))
-    initial = volume.values[0] / first if first > 0. else volume.values[0]
+    flows = [(what, by_stem[stem].values * sign) for what, stem, sign in
+             (("came in", "Inflow volume", 1.), ("went out", "Outflow volume", -1.)) if stem in by_stem]
+    came_in, went_out = (sum(values for what, values in flows if what == wanted) + 0. * volume.values
+                         for wanted in ("came in", "went out"))
+    # The shares are those of what has been there.
+    initial = (volume.values[0] - went_out[0]) / first - came_in[0] if first > 0. else volume.values[0]
     if initial <= 0.:
         return "", []
-    rows = [("at the start", initial, 1.), *((what, share * initial, share) for what, share in changes),
+    whole = initial + came_in[-1]
+    rows = [("at the start", initial, 1.), *((what, values[-1], values[-1] / initial) for what, values in flows),
+            *((what, share * whole, share * whole / initial) for what, share in changes),
             ("at the end", volume.values[-1], volume.values[-1] / initial)]
     return volume.unit, rows
 

@@ -27,6 +27,8 @@ namespace Lahar
     shape  = Factory<BoundaryShape<dim>>::create_chosen(prm, "Shape");
     law    = Factory<SurfaceLaw>::create_chosen(prm, "Law");
     motion = Factory<BoundaryMotion<dim>>::create_chosen(prm, "Motion");
+    if (motion->moves() && (inflow() != nullptr || outflow() != nullptr))
+      prm.throw_wrong_value("Motion", "fixed, as fluid comes in or leaves through the boundary");
   }
 
 

@@ -254,6 +254,7 @@ namespace Lahar
       fluid.shape->check_scale(h.coarsest());
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
+    check_inflows(h.coarsest());
     Fillings fillings;
     for (const auto &body : bodies)
       fillings.push_back(body->fill(h));
@@ -267,10 +268,12 @@ namespace Lahar
       cloud.append(p, kind, h(p), part);
       places.insert(p);
     };
-    // Two walls may share points.
-    for (const auto &[p, boundary] : create_walls(h, fillings, solids, walls))
-      if (places.near(p, contact * h(p)).empty())
-        append(p, ParticleKind::wall, boundary);
+    // Two walls may share points; what they share with an inflow is theirs.
+    const auto points = create_walls(h, fillings, solids, walls);
+    for (const bool comes_in : {false, true})
+      for (const auto &[p, boundary] : points)
+        if ((boundaries[boundary].inflow() != nullptr) == comes_in && places.near(p, contact * h(p)).empty())
+          append(p, ParticleKind::wall, boundary);
 
     std::vector<WallFacet<dim>> covered = solids.wall_facets();
     for (const WallFacet<dim> &facet : walls.facets())

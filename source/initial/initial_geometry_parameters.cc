@@ -91,8 +91,11 @@ namespace Lahar
       prm.enter_subsection(name);
       boundaries.emplace_back();
       boundaries.back().parse_parameters(prm, name);
-      for (const WallShape<dim> &wall : boundaries.back().walls(boundaries.size() - 1))
-        wall_shapes.push_back(wall);
+      if (boundaries.back().outflow() == nullptr) // which is no wall
+        for (const WallShape<dim> &wall : boundaries.back().walls(boundaries.size() - 1))
+          wall_shapes.push_back(wall);
+      if (const Inflow *inflow = boundaries.back().inflow())
+        fluid_number(*inflow);
       prm.leave_subsection();
     }
     prm.leave_subsection();
@@ -134,13 +137,63 @@ namespace Lahar
 
 
 
+  template <int dim>
+  unsigned int InitialGeometry<dim>::fluid_number(const Inflow &inflow) const
+  {
+    std::string names;
+    for (unsigned int n = 0; n < fluids.size(); ++n)
+    {
+      if (inflow.fluid().empty() || inflow.fluid() == fluids[n].name)
+        return n;
+      names += (n == 0 ? "'" : ", '") + fluids[n].name + "'";
+    }
+    throw InputError("Parameter '" + inflow.path("Fluid") + "' is '" + inflow.fluid() +
+                     "'. Allowed: the name of a fluid of the case" + (names.empty() ? "" : ": " + names) +
+                     ".");
+  }
+
+
+
+  template <int dim>
+  std::vector<typename Inlets<dim>::Source> InitialGeometry<dim>::inflows() const
+  {
+    std::vector<typename Inlets<dim>::Source> result;
+    for (const Boundary<dim> &boundary : boundaries)
+    {
+      const Inflow *inflow = boundary.inflow();
+      result.push_back({boundary.name, inflow, inflow == nullptr ? 0 : fluid_number(*inflow)});
+    }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Outlets<dim> InitialGeometry<dim>::outlets() const
+  {
+    Outlets<dim> result;
+    for (unsigned int b = 0; b < boundaries.size(); ++b)
+      if (const Outflow *outflow = boundaries[b].outflow())
+        for (const WallShape<dim> &wall : boundaries[b].walls(b))
+          result.add(boundaries[b].name, *outflow, wall.facets());
+    return result;
+  }
+
+
+
   template void InitialGeometry<2>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<2>::parse_parameters(Parameters &, const CaseStructure &);
+  template unsigned int InitialGeometry<2>::fluid_number(const Inflow &) const;
+  template std::vector<typename Inlets<2>::Source> InitialGeometry<2>::inflows() const;
+  template Outlets<2> InitialGeometry<2>::outlets() const;
   template const FluidLaw &InitialGeometry<2>::law() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<2>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<3>::parse_parameters(Parameters &, const CaseStructure &);
+  template unsigned int InitialGeometry<3>::fluid_number(const Inflow &) const;
+  template std::vector<typename Inlets<3>::Source> InitialGeometry<3>::inflows() const;
+  template Outlets<3> InitialGeometry<3>::outlets() const;
   template const FluidLaw &InitialGeometry<3>::law() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<3>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/remeshing/domain_limit.h>
+#include <lahar/remeshing/drop_particles.h>
 
 #include <algorithm>
 
@@ -57,23 +58,7 @@ namespace Lahar
   template <int dim>
   unsigned int DomainLimit<dim>::drop_outside(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh) const
   {
-    const std::vector<bool> outside = find_outside(cloud);
-    unsigned int n_own_outside      = 0;
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      n_own_outside += (outside[i] && cloud.is_own(i));
-    if (std::find(outside.begin(), outside.end(), true) == outside.end())
-      return 0;
-
-    std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &cell : mesh.particle_cells())
-      if (std::none_of(cell.begin(), cell.end(), [&](const unsigned int i) { return outside[i]; }))
-        cells.push_back(cell);
-    const std::vector<unsigned int> new_index = cloud.remove(outside);
-    for (Simplex<dim> &cell : cells)
-      for (unsigned int &corner : cell)
-        corner = new_index[corner];
-    mesh.reinit(cloud, cells);
-    return n_own_outside;
+    return drop_particles(find_outside(cloud), cloud, mesh);
   }
 
 

@@ -25,7 +25,11 @@ namespace Lahar
     gravity = prm.get_vector<dim>("Gravity");
     geometry.parse_parameters(prm, structure);
     for (const Boundary<dim> &boundary : geometry.all_boundaries())
+    {
       boundary.check_start(run.start_time);
+      if (const Inflow *inflow = boundary.inflow())
+        inflow->check_times(run.start_time, run.end_time);
+    }
     domain_limit.parse_parameters(prm);
   }
 

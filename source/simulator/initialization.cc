@@ -44,9 +44,15 @@ namespace Lahar
         !text.empty())
       output.warn(text);
     SlipCondition<dim>(WallStep<dim>(walls)).initialize(particles);
+    inlets.start(input.geometry.inflows(), walls, particles);
+    outlets = input.geometry.outlets();
+    outlets.check_initial(particles);
     input.domain_limit.check_initial(prm, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
+    inlets.find_shares(walls, particles, fluid_mesh, communicator());
+    inlets.start_step(particles, fluid_mesh, communicator(), input.run.start_time, 0.);
+    inlets.carry(particles.position, particles); // they move from the start
     time = input.run.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     account.volume.begin(fluid_volume());

@@ -35,6 +35,24 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void MomentumAccount<dim>::add_inflow_columns(TableHandler &statistics) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      add_to_column(statistics, std::string("Momentum inflow ") + "xyz"[d] + " (N s)", inflow[d]);
+  }
+
+
+
+  template <int dim>
+  void MomentumAccount<dim>::add_outflow_columns(TableHandler &statistics) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      add_to_column(statistics, std::string("Momentum outflow ") + "xyz"[d] + " (N s)", outflow[d]);
+  }
+
+
+
   template class MomentumAccount<2>;
   template class MomentumAccount<3>;
 } // namespace Lahar

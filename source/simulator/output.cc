@@ -61,6 +61,17 @@ namespace Lahar
       line.add_value("Mended contour facets", counters.forced_facets);
       line.add_value("Particles kept out of solids", counters.kept_out);
     }
+    if (inlets.any())
+    {
+      account.volume.add_inflow_column(line);
+      account.momentum.add_inflow_columns(line);
+    }
+    if (outlets.any())
+    {
+      line.add_value("Particles gone out", counters.gone_out);
+      account.volume.add_outflow_column(line);
+      account.momentum.add_outflow_columns(line);
+    }
     if (input.domain_limit.is_set())
     {
       line.add_value("Particles left the domain", counters.left);

@@ -101,7 +101,8 @@ namespace Lahar
   double Simulator<dim>::fluid_volume() const
   {
     return sum_of_ranks(fluid_mesh.volume(particles) +
-                        VolumeCorrection<dim>::carried_volume(fluid_mesh, particles));
+                        VolumeCorrection<dim>::carried_volume(fluid_mesh, particles) +
+                        inlets.layer_volume(particles, fluid_mesh));
   }
 
 
@@ -136,6 +137,7 @@ namespace Lahar
       {
         time_integration.start_step(time_step, counters.steps == 0);
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
+        inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
         problem.start_step(
           {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
            time + time_step, constraints(*wall_step), remeshing.arrives,
@@ -181,6 +183,7 @@ namespace Lahar
   void Simulator<dim>::remesh(const double time_step)
   {
     TimerOutput::Scope scope(timer, "Remesh");
+    exchange_fluid();
     if (const unsigned int n_dropped = count_on_ranks(input.domain_limit.drop_outside(particles, fluid_mesh)))
     {
       counters.left += n_dropped;
@@ -190,6 +193,7 @@ namespace Lahar
     migrate();
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     input.mesh_size.update(particles);
+    const std::map<std::uint64_t, double> layers = inlets.layers(particles, fluid_mesh);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
@@ -199,6 +203,8 @@ namespace Lahar
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
+    if (remesher.keeps_volume())
+      inlets.owe_layers(layers, fluid_mesh, migration, particles);
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
     account.volume.remeshed(fluid_volume());
     account.momentum.changed(fluid_momentum());
@@ -210,12 +216,29 @@ namespace Lahar
 
 
   template <int dim>
+  void Simulator<dim>::exchange_fluid()
+  {
+    if (const unsigned int n_dropped = count_on_ranks(outlets.drop(particles, fluid_mesh)))
+    {
+      counters.gone_out += n_dropped;
+      account.volume.went_out(fluid_volume());
+      account.momentum.went_out(fluid_momentum());
+    }
+    if (inlets.renew(walls, communicator(), particles, fluid_mesh) > 0)
+      account.momentum.came_in(fluid_momentum());
+  }
+
+
+
+  template <int dim>
   double Simulator<dim>::fastest_movement() const
   {
     double fastest = std::numeric_limits<double>::min();
     for (const unsigned int i : fluid_mesh.particles())
       fastest = std::max(fastest, particles.velocity[i].norm() / particles.spacing[i]);
-    return Utilities::MPI::max(fastest, communicator());
+    fastest = Utilities::MPI::max(fastest, communicator());
+    // A step that lets inflow move by half of its spacing at most.
+    return std::max(fastest, 2. * input.run.largest_movement * inlets.fastest(time, input.run.time_step));
   }
 
 
@@ -242,10 +265,11 @@ namespace Lahar
     const std::vector<Point<dim>> old_position = particles.position;
     problem.accept(particles, solids);
     wall_step.carry_particles(old_position, particles);
+    inlets.carry(old_position, particles);
     take_mean_forces();
     if (input.geometry.has_fluid())
     {
-      account.volume.solved(fluid_volume());
+      account.volume.solved(fluid_volume(), inlets.volume());
       account.momentum.start_step(time_integration.carried_time());
       account.momentum.set(fluid_momentum());
     }
@@ -328,6 +352,7 @@ namespace Lahar
     result.reserve(fluid_mesh.n_vertices());
     for (const unsigned int particle : fluid_mesh.particles())
       result.push_back(slip_condition.constraint(particle, particles));
+    inlets.constrain(particles, fluid_mesh, result);
     return result;
   }
 

@@ -22,8 +22,24 @@ namespace Lahar
   void VolumeAccount<dim>::add_columns(TableHandler &statistics) const
   {
     add_to_column(statistics, "Fluid volume (m^dim)", present);
-    add_to_column(statistics, "Volume change by solver", by_solver);
-    add_to_column(statistics, "Volume change by remeshing", by_remeshing);
+    add_to_column(statistics, "Volume change by solver", by_solver / reference());
+    add_to_column(statistics, "Volume change by remeshing", by_remeshing / reference());
+  }
+
+
+
+  template <int dim>
+  void VolumeAccount<dim>::add_inflow_column(TableHandler &statistics) const
+  {
+    add_to_column(statistics, "Inflow volume (m^dim)", came_in);
+  }
+
+
+
+  template <int dim>
+  void VolumeAccount<dim>::add_outflow_column(TableHandler &statistics) const
+  {
+    add_to_column(statistics, "Outflow volume (m^dim)", gone_out);
   }
 
 
@@ -31,7 +47,7 @@ namespace Lahar
   template <int dim>
   void VolumeAccount<dim>::add_left_column(TableHandler &statistics) const
   {
-    add_to_column(statistics, "Volume left the domain", left_domain);
+    add_to_column(statistics, "Volume left the domain", left_domain / reference());
   }
 
 
@@ -55,8 +71,8 @@ namespace Lahar
     std::tie(largest, place) = largest_of_all(largest, place, communicator);
     std::ostringstream text;
     text << "Warning: time " << time << " s: the fluid's volume has changed by " << 100. * change()
-         << " %, of which the solver " << 100. * by_solver << " % and remeshing " << 100. * by_remeshing
-         << " %";
+         << " %, of which the solver " << 100. * by_solver / reference() << " % and remeshing "
+         << 100. * by_remeshing / reference() << " %";
     if (largest > 0.)
       text << ", most of it around (" << place << ") m";
     text << ". A smaller 'Mesh size' resolves what splashes and merges.";

@@ -40,4 +40,26 @@ namespace Lahar
       result[c] += part * (values[i][c] - values[i - 1][c]);
     return result;
   }
+
+
+
+  std::vector<double> TimeTable::mean(const double start, const double length) const
+  {
+    if (length == 0.)
+      return (*this)(start);
+    // The rule of the trapezium from row to row.
+    std::vector<double> places(1, start);
+    for (const double time : times)
+      if (time > start && time < start + length)
+        places.push_back(time);
+    places.push_back(start + length);
+    std::vector<double> result(values.front().size(), 0.);
+    for (unsigned int i = 1; i < places.size(); ++i)
+    {
+      const std::vector<double> before = (*this)(places[i - 1]), after = (*this)(places[i]);
+      for (unsigned int c = 0; c < result.size(); ++c)
+        result[c] += 0.5 * (places[i] - places[i - 1]) / length * (before[c] + after[c]);
+    }
+    return result;
+  }
 } // namespace Lahar

@@ -9,7 +9,54 @@ import os
 import sys
 
 from attempts import FLUID, GOOD, MESH, MESH_IN_SPACE, TOP, WALLS, in_spike, refused, set_entry, write_spike, wrong
-from program_test import failed, fluid, parts, section, shape, walls
+from program_test import failed, fluid, parts, section, shape, wall, walls
+
+
+def test_inflows(model):
+    """Inflow and outflow."""
+    inflow, outflow = WALLS + "inflow/", WALLS + "outflow/"
+    wrong(inflow + "Velocity", "", "'Discharge table'", "0 are given", more=model("Law", "inflow"))
+    wrong(inflow + "Velocity", "1", "2 are given",
+          more=[*model("Law", "inflow"), *set_entry(inflow + "Discharge", "1")])
+    wrong(inflow + "Velocity", "x", "time t", more=model("Law", "inflow"))
+    wrong(inflow + "Profile", "y; y", "coordinates", more=[*model("Law", "inflow"), *set_entry(inflow + "Velocity", "1")])
+    wrong(outflow + "Direction", "", "side", more=model("Law", "outflow"))
+    wrong(outflow + "Direction", "1, 0, 0", "2 components", more=model("Law", "outflow"))
+    wrong(WALLS + "Motion", "translation", "fixed", more=[*model("Law", "inflow"), *set_entry(inflow + "Velocity", "1")])
+
+    def inlet(points, entry="Velocity = 1"):
+        return shape("polyline", "Points = " + points) + "set Law = inflow\n" + section("inflow", "set " + entry)
+
+    def case(**boundaries):
+        return TOP + fluid("0, 0 : 0.146, 0.292") + parts("Boundaries", dict(floor=wall("0, 0 : 0.5, 0"), **boundaries))
+
+    left = "0, 0 : 0, 0.292"
+    refused("a hydrograph that goes back in time", ["hydrograph.csv:3:", "'0.5, 2'", "after", "llowed"],
+            text=case(river=inlet(left, "Discharge table = hydrograph.csv")),
+            prepare=lambda directory: write(directory, "hydrograph.csv", "0, 1\n1, 2\n0.5, 2\n"))
+    refused("a hydrograph that becomes negative", ["'Boundaries/river/inflow/Discharge table'", "-1", "llowed", "zero or above"],
+            text=case(river=inlet(left, "Discharge table = hydrograph.csv")),
+            prepare=lambda directory: write(directory, "hydrograph.csv", "0, 1\n0.002, -1\n"))
+    refused("two inflows on one face", ["'river'", "'pipe'", "(0 0.05", "one inflow"],
+            text=case(river=inlet(left), pipe=inlet("0, 0.05 : 0, 0.2")))
+    refused("an inflow inside a wall", ["'river'", "'block'", "(0.3 0.05", "rigid bodies"],
+            text=case(river=inlet("0.3, 0.05 : 0.3, 0.15"), block=wall("0.2, 0.02 : 0.4, 0.02 : 0.4, 0.2 : 0.2, 0.2 : 0.2, 0.02")))
+    refused("an inflow before a wall", ["'river'", "'plate'", "0.03 m", "llowed"],
+            text=case(river=inlet(left), plate=wall("0.02, 0.1 : 0.02, 0.2")).replace("0, 0 : 0.146", "0, 0 : 0.0199"))
+    refused("an inflow without fluid", ["'river'", "no fluid touches it at (0.3", "llowed"],
+            text=case(river=inlet("0.3, 0.05 : 0.3, 0.15")))
+    refused("an inflow that is bent", ["'river'", "not plane", "0.02 m", "llowed"],
+            text=case(river=inlet("0, 0 : 0, 0.1 : -0.02, 0.2")))
+    refused("an inflow of another fluid", ["'Boundaries/river/inflow/Fluid'", "'oil'", "'fluid'", "llowed"],
+            *set_entry("Boundaries/river/inflow/Fluid", "oil"), text=case(river=inlet(left)))
+    refused("an outflow with fluid behind it", ["'weir'", "behind it", "llowed"],
+            text=case(weir=shape("polyline", "Points = 0.1, 0 : 0.1, 0.3") + "set Law = outflow\n" +
+                      section("outflow", "set Direction = 1, 0")))
+
+
+def write(directory, name, text):
+    with open(os.path.join(directory, name), "w") as file:
+        file.write(text)
 
 
 def test_refused():
@@ -133,6 +180,7 @@ def test_refused():
     wrong(WALLS + "Coulomb/Friction coefficient", "-0.1", more=model("Law", "Coulomb"))
     wrong(WALLS + "Navier slip/Slip coefficient", "0", more=model("Law", "Navier slip"))
     wrong(WALLS + "yield slip/Sliding yield stress", "0", more=model("Law", "yield slip"))
+    test_inflows(model)
     for entry, value in [("convex", "0, 0, 0 : 1, 0, 0 : 0, 1, 0 : 1, 1, 0"), ("convex", "")]:
         refused("%s = %s" % (entry, value), ["'%s%s/Corners'" % (FLUID, entry), value, "llowed"], *set_entry(
             FLUID + "Shape", entry), *set_entry(FLUID + entry + "/Corners", value), text=in_space)

@@ -4,6 +4,8 @@
 #define lahar_initial_boundary_h
 
 #include <lahar/boundary/boundary_motion.h>
+#include <lahar/boundary/inflow.h>
+#include <lahar/boundary/outflow.h>
 #include <lahar/boundary/surface_law.h>
 #include <lahar/geometry/boundary_shape.h>
 
@@ -34,6 +36,17 @@ namespace Lahar
     /// What is odd at the mesh size @p h (m): a shape from a file out of all proportion to it. @throws InputError where
     /// that leads nowhere.
     std::vector<std::string> warnings(const double h) const;
+
+    /// Its law, if fluid comes in through it or leaves; null otherwise.
+    const Inflow *inflow() const
+    {
+      return dynamic_cast<const Inflow *>(law.get());
+    }
+
+    const Outflow *outflow() const
+    {
+      return dynamic_cast<const Outflow *>(law.get());
+    }
 
     std::string name, path; ///< the latter of the entry `Motion`
     std::unique_ptr<BoundaryShape<dim>> shape;

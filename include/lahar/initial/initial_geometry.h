@@ -3,6 +3,8 @@
 #ifndef lahar_initial_initial_geometry_h
 #define lahar_initial_initial_geometry_h
 
+#include <lahar/boundary/inlets.h>
+#include <lahar/boundary/outlets.h>
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/wall_step.h>
 #include <lahar/geometry/initial_region.h>
@@ -72,6 +74,12 @@ namespace Lahar
 
     bool any_boundary_moves() const;
 
+    /// What comes in through each boundary.
+    std::vector<typename Inlets<dim>::Source> inflows() const;
+
+    /// Where fluid leaves. @throws InputError
+    Outlets<dim> outlets() const;
+
     /// The walls that create() makes, as they are at @p time (s). @throws RunError if a motion is not finite then.
     Walls<dim> walls_at(const double time) const;
 
@@ -98,9 +106,14 @@ namespace Lahar
     /// The points of each body.
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
+    /// The fluid that comes in. @throws InputError if there is none of that name.
+    unsigned int fluid_number(const Inflow &inflow) const;
+
     void check_body_sizes(const double h) const;
     void check_number_of_particles(const MeshSize<dim> &mesh_size) const;
     void check_overlaps(const Fillings &fillings, const double h) const;
+    /// @throws InputError if fluid comes in inside a rigid body, or twice in one place.
+    void check_inflows(const double h) const;
     void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
 
     /// Points where bodies and solids touch @p wall.

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <lahar/boundary/inlets.h>
+#include <lahar/boundary/outlets.h>
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/geometry/walls.h>
 #include <lahar/particles/particle_cloud.h>
@@ -102,12 +104,14 @@ namespace Lahar
     /// Sums over the ranks.
     double sum_of_ranks(const double value) const;
     unsigned int count_on_ranks(const unsigned int n) const;
-    /// Of the cells, and what isolated particles carry, on all ranks.
+    /// Of the cells, what isolated particles carry, and what comes in at present, on all ranks.
     double fluid_volume() const;
     /// See MomentumAccount.
     Tensor<1, dim> fluid_momentum() const;
     void remesh(const double time_step);
-    /// Largest ratio of speed and spacing in the mesh, 1/s.
+    /// Fluid goes out, fluid that has come in gets its cells.
+    void exchange_fluid();
+    /// Largest ratio of speed and spacing in the mesh, 1/s; inflow counts as if it moved farther than it may.
     double fastest_movement() const;
     /// @throws RunError if a particle moves too far in the solved step.
     void check_movements() const;
@@ -119,7 +123,7 @@ namespace Lahar
     void stop_at_collision(const std::vector<Point<dim>> &old_position, const WallStep<dim> &wall_step);
     /// The rigid walls and the solids' contours.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
-    /// What walls prescribe in a step, by vertex.
+    /// What walls and inflow prescribe in a step, by vertex.
     std::vector<NodeConstraint<dim>> constraints(const WallStep<dim> &wall_step) const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.
     void create_first_mesh();
@@ -163,6 +167,8 @@ namespace Lahar
     double time = 0.; ///< s
     ParticleCloud<dim> particles;
     Walls<dim> walls;
+    Inlets<dim> inlets;
+    Outlets<dim> outlets;
     FluidMesh<dim> fluid_mesh;
     typename Remesher<dim>::Report remeshing; ///< the last one
 

@@ -13,12 +13,13 @@ namespace Lahar
     unsigned int forced_facets = 0; ///< of solids' contours that a Delaunay triangulation did not have
     unsigned int kept_out      = 0; ///< particles that were put back before a solid
     unsigned int left          = 0; ///< particles that have left the domain
+    unsigned int gone_out      = 0; ///< particles that have passed through an outlet
     unsigned int cells         = 0; ///< of the fluid at present
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &steps &rejected &forced_facets &kept_out &left &cells;
+      archive &steps &rejected &forced_facets &kept_out &left &gone_out &cells;
     }
   };
 } // namespace Lahar

@@ -12,8 +12,9 @@
 namespace Lahar
 {
   /**
-   * The volume of the fluid, m^dim, and what has changed it, relative to the volume at the start: the solver, remeshing,
-   * and fluid that has left the domain. Each function takes the volume of all ranks at present.
+   * The volume of the fluid, m^dim, and what has changed it: the solver, remeshing, fluid that has come in or gone out
+   * through a boundary, or left the domain. All but the fourth and the fifth are told relative to the volume that has been
+   * in the case, at the start or since. Each function takes the volume of all ranks at present.
    */
   template <int dim>
   class VolumeAccount
@@ -25,16 +26,23 @@ namespace Lahar
       initial = present = volume;
     }
 
-    /// After the particles of a step have moved with the mesh.
-    void solved(const double volume)
+    /// After the particles of a step, in which @p inflow came in, have moved with the mesh.
+    void solved(const double volume, const double inflow)
     {
-      by_solver += change_to(volume);
+      by_solver += change_to(volume) - inflow;
+      came_in += inflow;
     }
 
     /// After a new mesh.
     void remeshed(const double volume)
     {
       by_remeshing += change_to(volume);
+    }
+
+    /// After particles behind an outlet were dropped.
+    void went_out(const double volume)
+    {
+      gone_out -= change_to(volume);
     }
 
     /// After particles beyond the domain were dropped.
@@ -49,14 +57,20 @@ namespace Lahar
       return initial;
     }
 
-    /// By solver and remeshing.
+    /// By solver and remeshing, relative.
     double change() const
     {
-      return by_solver + by_remeshing;
+      return (by_solver + by_remeshing) / reference();
     }
 
     /// Columns 'Fluid volume (m^dim)', 'Volume change by solver' and 'Volume change by remeshing'.
     void add_columns(TableHandler &statistics) const;
+
+    /// Column 'Inflow volume (m^dim)'.
+    void add_inflow_column(TableHandler &statistics) const;
+
+    /// Column 'Outflow volume (m^dim)'.
+    void add_outflow_column(TableHandler &statistics) const;
 
     /// Column 'Volume left the domain'.
     void add_left_column(TableHandler &statistics) const;
@@ -70,19 +84,25 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &initial &present &by_solver &by_remeshing &left_domain &has_warned;
+      archive &initial &present &by_solver &by_remeshing &came_in &gone_out &left_domain &has_warned;
     }
 
   private:
     double change_to(const double volume)
     {
-      const double change = (volume - present) / initial;
+      const double change = volume - present;
       present             = volume;
       return change;
     }
 
-    double initial = 0., present = 0., by_solver = 0., by_remeshing = 0., left_domain = 0.;
-    bool has_warned = false;
+    double reference() const
+    {
+      return initial + came_in;
+    }
+
+    double initial = 0., present = 0., by_solver = 0., by_remeshing = 0., came_in = 0., gone_out = 0.,
+           left_domain = 0.; ///< m^dim
+    bool has_warned    = false;
   };
 } // namespace Lahar
 

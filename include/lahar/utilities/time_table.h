@@ -24,6 +24,9 @@ namespace Lahar
     /// The values at @p time (s).
     std::vector<double> operator()(const double time) const;
 
+    /// Their exact means in the @p length s that begin at @p start; with length zero the values at @p start.
+    std::vector<double> mean(const double start, const double length) const;
+
   private:
     std::vector<double> times;
     std::vector<std::vector<double>> values;

@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fluid that comes in and goes out: the volume of a jet in free space, of a tank that fills by a hydrograph and of a jet in
+space is what has come in; flow between two walls and a film on a slope keep their profiles, and as much goes out as comes
+in; a run that is resumed goes on bit for bit, and two ranks compute what one does."""
+
+import numpy as np
+
+from verification import Check, at_time, last_mesh, read_pvd, read_run, read_vtu, run_check, volume_changes
+
+
+def came_in(statistics):
+    return statistics["Inflow volume (m^dim)"]
+
+
+def check_volume(check, name, statistics, expected):
+    """What has come in, to the digits of the statistics, and the volume of the fluid, to the solver's and remeshing's own account."""
+    check.below(f"{name}: inflow volume", np.abs(came_in(statistics) - expected).max() / expected.max(), 1e-9)
+    volume = statistics["Fluid volume (m^dim)"]
+    out = statistics.get("Outflow volume (m^dim)", 0. * volume)
+    start = volume[0] - came_in(statistics)[0] + out[0]
+    changes = (statistics["Volume change by solver"] + statistics["Volume change by remeshing"]) * (
+        start + came_in(statistics))
+    check.below(f"{name}: fluid volume against what came in and went out and the account of its errors",
+                np.abs(volume - start - came_in(statistics) + out - changes + changes[0]).max() / volume.max(), 1e-8)
+
+
+def check_plug(check):
+    """Without gravity a jet is a rigid body, and long as U t."""
+    directory = check.run("inflow/plug.prm")
+    statistics = read_run(directory)
+    check_volume(check, "plug", statistics, 0.2 * statistics["Time (s)"])
+    check.below("plug: volume over Q t", np.abs(statistics["Fluid volume (m^dim)"] / (0.02 + 0.2 * statistics["Time (s)"])
+                                                - 1.).max(), 1e-9)
+    mesh = last_mesh(directory)
+    check.below("plug: velocity", np.abs(mesh.point_data["velocity"][:, :2] - [1., 0.]).max(), 1e-7)
+    check.near("plug: its tip", mesh.points[:, 0].max(), 0.6, 1e-7)
+    # The momentum that comes in needs no force.
+    momentum = statistics["Momentum x (N s)"] - statistics["Momentum inflow x (N s)"]
+    check.below("plug: momentum less what came in", np.abs(momentum - 20.).max() / 20., 1e-7)
+
+
+def parabola_error(directory):
+    """Largest error of the velocity in the middle of the channel, over the largest velocity."""
+    mesh = last_mesh(directory)
+    x, y = mesh.points[:, 0], mesh.points[:, 1]
+    middle = (x > 0.1) & (x < 0.3)
+    error = mesh.point_data["velocity"][middle, :2] - np.stack([30. * y * (0.2 - y), 0. * y], axis=1)[middle]
+    return float(np.sqrt((error**2).sum(axis=1).mean())) / 0.3
+
+
+def check_channel(check):
+    """u = 6 U y (H − y)/H²."""
+    errors = []
+    for h in (0.04, 0.02):
+        directory = check.run("inflow/channel.prm", f"Mesh size={h}", f"Time step={0.5 * h}")
+        statistics = read_run(directory)
+        check_volume(check, f"channel, h = {h}", statistics, 0.04 * statistics["Time (s)"])
+        errors.append(parabola_error(directory))
+    check.below("channel: velocity, h = 0.02 m, over the largest", errors[1], 0.02)
+    check.below("channel: the same over that with twice the mesh size", errors[1] / errors[0], 0.5)
+
+
+def check_filling(check):
+    """The level of a tank: what was in it and what came in, over its width."""
+    directory = check.run("inflow/filling.prm")
+    statistics = read_run(directory)
+    time = statistics["Time (s)"]
+    table = np.array([[0., 0.], [0.3, 0.06], [0.6, 0.06], [1., 0.02], [1.2, 0.], [9., 0.]])
+    fine = np.union1d(np.append(time, 0.), table[:-1, 0])
+    rate = np.interp(fine, table[:, 0], table[:, 1])
+    volume = np.concatenate([[0.], np.cumsum(0.5 * (rate[1:] + rate[:-1]) * np.diff(fine))])
+    check_volume(check, "filling", statistics, np.interp(time, fine, volume))
+    check.near("filling: all that the hydrograph brings", came_in(statistics)[-1], 0.045, 1e-9)
+    solver, remeshing = volume_changes(statistics)
+    check.below("filling: volume change by the solver", solver, 1e-7)
+    check.below("filling: volume change by remeshing", remeshing, 2e-3)
+    mesh = last_mesh(directory)
+    surface = [mesh.points[np.abs(mesh.points[:, 0] - x) < 0.02, 1].max() for x in (0.1, 0.2, 0.3, 0.4)]
+    check.near("filling: level", float(np.mean(surface)), (0.075 + 0.045) / 0.5, 0.01)
+
+
+def check_film(check):
+    """u = ρ g_x y (2 H − y)/(2 μ), thickness H."""
+    directory = check.run("inflow/film.prm")
+    statistics = read_run(directory)
+    check_volume(check, "film", statistics, 3.35522 * 1000. * 0.05**3 / 15. * statistics["Time (s)"])
+    out = statistics["Outflow volume (m^dim)"]
+    late = at_time(statistics, "Outflow volume (m^dim)", 2.) - at_time(statistics, "Outflow volume (m^dim)", 1.)
+    check.near("film: what goes out in a second", late, 3.35522 * 1000. * 0.05**3 / 15., 0.02)
+    check.below("film: what goes out, over what is there and comes in", out[-1] / (0.025 + came_in(statistics)[-1]), 1.)
+    mesh = last_mesh(directory)
+    x, y = mesh.points[:, 0], mesh.points[:, 1]
+    thickness = [y[np.abs(x - place) < 0.011].max() for place in (0.1, 0.15, 0.2)]
+    check.near("film: thickness", float(np.mean(thickness)), 0.05, 0.01)
+    middle = (x > 0.05) & (x < 0.25)
+    exact = 3.35522 * 1000. / 5. * y * (0.1 - y) / 2.
+    error = mesh.point_data["velocity"][middle, 0] - exact[middle]
+    check.below("film: velocity, over that of the surface", float(np.sqrt((error**2).mean())) / (3.35522 * 0.25), 0.02)
+
+
+def check_space(check):
+    """A jet in space, and what comes in through a part of a wall."""
+    statistics = read_run(check.run("inflow/jet_3d.prm", "Nonlinear solver/Tolerance=1e-8"))
+    check_volume(check, "jet in space", statistics, 0.04 * statistics["Time (s)"])
+    check.below("jet in space: volume over Q t",
+                np.abs(statistics["Fluid volume (m^dim)"] / (0.004 + 0.04 * statistics["Time (s)"]) - 1.).max(), 1e-7)
+    statistics = read_run(check.run("inflow/tank_3d.prm"))
+    time = statistics["Time (s)"]
+    expected = 0.006 * np.where(time < 0.1, 0.5 * time**2 / 0.1, time - 0.05)
+    check.below("tank in space: inflow volume", np.abs(came_in(statistics) - expected).max() / expected[-1], 1e-9)
+    check.below("tank in space: fluid volume against what was there and came in",
+                np.abs(statistics["Fluid volume (m^dim)"] / (0.0048 + expected) - 1.).max(), 5e-3)
+
+
+def check_resumed(check):
+    """The hydrograph's run in two parts, the second one from a checkpoint while fluid comes in."""
+    short = ["End time=0.5", "Checkpoint/Steps between=10"]
+    whole = read_run(check.run("inflow/filling.prm", *short))
+    check.run("inflow/filling.prm", *short[1:], "End time=0.35")
+    resumed = read_run(check.run("inflow/filling.prm", *short, resume=True))
+    # On several ranks MUMPS does not sum in the same order twice.
+    tolerance = 0. if check.n_ranks == 1 else 1e-8
+    for name in ("Fluid volume (m^dim)", "Inflow volume (m^dim)", "Kinetic energy (J)", "inlet force x (N)"):
+        check.below(f"resumed: '{name}'", np.abs(whole[name] - resumed[name]).max() / np.abs(whole[name]).max(), tolerance)
+
+
+def check_ranks(check):
+    """Two ranks and one, film and tank, with tight tolerances."""
+    tight = ["Nonlinear solver/Tolerance=1e-9", "End time=0.4"]
+    for name, columns in (("film", ["Outflow volume (m^dim)"]), ("filling", [])):
+        runs = []
+        for check.n_ranks in (1, 2):
+            runs.append(read_run(check.run(f"inflow/{name}.prm", *tight)))
+        for column in ["Fluid volume (m^dim)", "Inflow volume (m^dim)", "Kinetic energy (J)", *columns]:
+            check.below(f"two ranks, {name}: '{column}'",
+                        np.abs(runs[0][column] - runs[1][column]).max() / np.abs(runs[0][column]).max(), 1e-8)
+
+
+def main():
+    check = Check(__doc__)
+    if check.n_ranks > 1:
+        check_ranks(check)
+    else:
+        check_plug(check)
+        check_channel(check)
+        check_filling(check)
+        check_film(check)
+        check_space(check)
+        check_resumed(check)
+    check.finish()
+
+
+run_check(main)
