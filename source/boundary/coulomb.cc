@@ -25,7 +25,7 @@ namespace Lahar
       cohesion = prm.get_positive("Cohesion", true);
     }
 
-    bool slips() const override
+    bool lands() const override
     {
       return true;
     }

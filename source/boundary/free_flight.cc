@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 
 namespace Lahar
 {
@@ -16,7 +16,7 @@ namespace Lahar
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid)
       {
-        SlipCondition<dim>::release(i, cloud);
+        WallContact<dim>::release(i, cloud);
         cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
         cloud.velocity[i] += time_step * gravity;
         cloud.acceleration[i]             = gravity;
@@ -43,7 +43,7 @@ namespace Lahar
       Point<dim> start;
       unsigned int boundary = 0;
       for (const unsigned int facet : step.crossed(old_position[i], end, 0., 1e-3 * cloud.spacing[i]))
-        if (!walls.facets()[facet].slip)
+        if (!walls.facets()[facet].lands)
         {
           const Point<dim> from = step.carried(walls.facets()[facet].boundary, old_position[i]);
           const double before   = walls.signed_distance(facet, from);
@@ -64,7 +64,7 @@ namespace Lahar
         cloud.algorithmic_acceleration[i] = Tensor<1, dim>();
         // A wall that moves takes it off others along which it slides.
         if (step.moves(boundary))
-          for (const int facet : cloud.slip_facets[i])
+          for (const int facet : cloud.contact_facets[i])
             if (facet != ParticleCloud<dim>::no_facet)
               cloud.position[i] -= walls.signed_distance(facet, cloud.position[i]) * walls.normal(facet);
       }

@@ -3,7 +3,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <lahar/boundary/inlets.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/geometry/simplex_geometry.h>
 
 #include <algorithm>
@@ -259,7 +259,7 @@ namespace Lahar
     unsigned int n         = 0;
     const double tolerance = 1e-3 * spacing;
     for (const unsigned int facet : walls.near(position, tolerance))
-      if (walls.facets()[facet].slip && std::abs(walls.signed_distance(facet, position)) < tolerance &&
+      if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, position)) < tolerance &&
           walls.is_above(facet, position, tolerance) && n < dim)
       {
         const bool adds = std::none_of(result.begin(), result.begin() + n, [&](const int other) {
@@ -320,7 +320,7 @@ namespace Lahar
       cloud.pressure[n]                 = cloud.pressure[i];
       cloud.pressure_rate[n]            = cloud.pressure_rate[i];
       cloud.owner[n]                    = cloud.owner[i];
-      cloud.slip_facets[n]              = touched_facets(walls, place, cloud.spacing[i]);
+      cloud.contact_facets[n]           = touched_facets(walls, place, cloud.spacing[i]);
       cloud.number[n]                   = first_number +
                         (std::lower_bound(numbers_of_all.begin(), numbers_of_all.end(), cloud.number[i]) -
                          numbers_of_all.begin());
@@ -343,7 +343,7 @@ namespace Lahar
     cloud.next_number = first_number + numbers_of_all.size();
     mesh.reinit(cloud, cells);
     const WallStep<dim> standing(walls);
-    SlipCondition<dim>(standing).initialize(cloud);
+    WallContact<dim>(standing).initialize(cloud);
     return numbers_of_all.size();
   }
 

@@ -75,9 +75,9 @@ namespace Lahar
           inlet.homes.push_back(cloud.position[i]);
           inlet.places.insert(cloud.position[i]);
           inlet.spacing.push_back(cloud.spacing[i]);
-          cloud.slip_facets[i] = touched_facets(walls, cloud.position[i], cloud.spacing[i]);
+          cloud.contact_facets[i] = touched_facets(walls, cloud.position[i], cloud.spacing[i]);
           // What lies on a slip wall that does not lead along the inflow is the rim of a hole in it.
-          const bool at_rim = std::any_of(cloud.slip_facets[i].begin(), cloud.slip_facets[i].end(),
+          const bool at_rim = std::any_of(cloud.contact_facets[i].begin(), cloud.contact_facets[i].end(),
                                           [&](const int facet) {
                                             return facet != ParticleCloud<dim>::no_facet &&
                                                    std::abs(walls.normal(facet) * inlet.direction) > 0.1;

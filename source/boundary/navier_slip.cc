@@ -22,7 +22,7 @@ namespace Lahar
       beta = prm.get_positive("Slip coefficient");
     }
 
-    bool slips() const override
+    bool lands() const override
     {
       return true;
     }

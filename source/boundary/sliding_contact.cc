@@ -108,7 +108,7 @@ namespace Lahar
     // The facet of a boundary on which a particle slides and to which a face is parallel.
     const auto facet_of = [&](const unsigned int particle, const unsigned int boundary,
                               const Tensor<1, dim> &direction) {
-      for (const int facet : cloud.slip_facets[particle])
+      for (const int facet : cloud.contact_facets[particle])
         if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].boundary == boundary &&
             std::abs(walls.normal(facet) * direction) > least_cosine)
           return facet;
@@ -153,7 +153,7 @@ namespace Lahar
           const unsigned int i = mesh.particle(vertices[k]);
           all_touch            = all_touch &&
                       (facets[k] != ParticleCloud<dim>::no_facet ||
-                       ((cloud.kind[i] != ParticleKind::fluid || cloud.on_slip_wall(i)) &&
+                       ((cloud.kind[i] != ParticleKind::fluid || cloud.in_contact(i)) &&
                         std::abs(walls.signed_distance(some_facet, step.carried(boundary, corners[k]))) <
                           contact_distance * cloud.spacing[i]));
         }

@@ -9,7 +9,7 @@ namespace Lahar
   class WallParticles : public SurfaceLaw
   {
   public:
-    bool slips() const override
+    bool lands() const override
     {
       return false;
     }

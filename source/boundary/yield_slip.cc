@@ -23,7 +23,7 @@ namespace Lahar
       beta  = prm.get_positive("Slip coefficient", true);
     }
 
-    bool slips() const override
+    bool lands() const override
     {
       return true;
     }

@@ -15,7 +15,7 @@ namespace Lahar
     std::vector<WallFacet<2>> result;
     const unsigned int n = corners.size();
     for (unsigned int i = 0; i + 1 < n + closed; ++i)
-      result.push_back({{{corners[i], corners[(i + 1) % n]}}, slip, boundary, moves, sticks});
+      result.push_back({{{corners[i], corners[(i + 1) % n]}}, lands, boundary, moves, sticks});
     return result;
   }
 
@@ -106,7 +106,7 @@ namespace Lahar
   {
     std::vector<WallFacet<3>> result;
     for (const auto &triangle : triangles())
-      result.push_back({triangle, slip, boundary, moves, sticks});
+      result.push_back({triangle, lands, boundary, moves, sticks});
     return result;
   }
 

@@ -118,7 +118,7 @@ namespace Lahar
     const std::vector<unsigned int> between =
       crossed(point, point - signed_distance(facet, point) * normals[facet], 0., 0.);
     return std::any_of(between.begin(), between.end(),
-                       [&](const unsigned int other) { return other != facet && all_facets[other].slip; });
+                       [&](const unsigned int other) { return other != facet && all_facets[other].lands; });
   }
 
 

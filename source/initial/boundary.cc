@@ -74,7 +74,7 @@ namespace Lahar
                    : result.size() == 1 ? ""
                                         : "number " + std::to_string(n_named) + " of ") +
                   "'" + name + "'";
-      wall.slip     = law->slips();
+      wall.lands    = law->lands();
       wall.boundary = number;
       wall.moves    = motion->moves();
       wall.sticks   = law->sticks();

@@ -226,7 +226,7 @@ namespace Lahar
     {
       for (const WallFacet<dim> &facet : wall.facets())
         facets.push_back(facet);
-      if (!wall.slip)
+      if (!wall.lands)
         for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h), h))
           if (!is_near(solid_facets, p, contact * h(p)))
             points.emplace_back(p, wall.boundary);
@@ -277,7 +277,7 @@ namespace Lahar
 
     std::vector<WallFacet<dim>> covered = solids.wall_facets();
     for (const WallFacet<dim> &facet : walls.facets())
-      if (!facet.slip)
+      if (!facet.lands)
         covered.push_back(facet);
     const Walls<dim> covered_facets(covered);
     // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
@@ -292,7 +292,7 @@ namespace Lahar
         return std::abs(walls.signed_distance(f, p)) < std::abs(walls.signed_distance(g, p));
       });
       for (const unsigned int facet : facets)
-        if (walls.facets()[facet].slip && std::abs(walls.signed_distance(facet, p)) < reach &&
+        if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, p)) < reach &&
             walls.is_above(facet, p, touching * h(p)) && !walls.is_hidden(facet, p))
         {
           const Tensor<1, dim> shift = aside * walls.normal(facet);
@@ -302,7 +302,7 @@ namespace Lahar
       const auto is_beyond_wall = [&](const Point<dim> &q) {
         const auto crossed = walls.crossed(q, p, 0., touching * h(p));
         return std::any_of(crossed.begin(), crossed.end(),
-                           [&](const unsigned int facet) { return walls.facets()[facet].slip; });
+                           [&](const unsigned int facet) { return walls.facets()[facet].lands; });
       };
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
@@ -387,7 +387,7 @@ namespace Lahar
       for (const unsigned int i : simplex)
       {
         spacing    = std::max(spacing, cloud.spacing[i]);
-        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid || cloud.on_slip_wall(i);
+        is_contact = is_contact || cloud.kind[i] != ParticleKind::fluid || cloud.in_contact(i);
       }
       return region.holds(corners_of<dim>(simplex, cloud.position),
                           (is_contact ? contact : touching) * spacing + roughness, 0.02 * spacing);

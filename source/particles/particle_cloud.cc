@@ -39,8 +39,8 @@ namespace Lahar
     kind.push_back(new_kind);
     part.push_back(new_part);
     spacing.push_back(new_spacing);
-    slip_facets.emplace_back();
-    slip_facets.back().fill(no_facet);
+    contact_facets.emplace_back();
+    contact_facets.back().fill(no_facet);
     number.push_back(next_number++);
     owner.push_back(rank);
     return size() - 1;
@@ -64,10 +64,10 @@ namespace Lahar
     owner[i]                    = owner[a];
 
     unsigned int n_shared = 0;
-    for (const int facet : slip_facets[a])
+    for (const int facet : contact_facets[a])
       if (facet != no_facet &&
-          std::find(slip_facets[b].begin(), slip_facets[b].end(), facet) != slip_facets[b].end())
-        slip_facets[i][n_shared++] = facet;
+          std::find(contact_facets[b].begin(), contact_facets[b].end(), facet) != contact_facets[b].end())
+        contact_facets[i][n_shared++] = facet;
     return i;
   }
 
@@ -94,7 +94,7 @@ namespace Lahar
     compress(kind, removed);
     compress(part, removed);
     compress(spacing, removed);
-    compress(slip_facets, removed);
+    compress(contact_facets, removed);
     compress(number, removed);
     compress(owner, removed);
     return new_index;
@@ -115,7 +115,7 @@ namespace Lahar
       *value++ = algorithmic_acceleration[i][d];
       *value++ = reaction[i][d];
       *value++ = friction[i][d];
-      *value++ = slip_facets[i][d];
+      *value++ = contact_facets[i][d];
     }
     for (const double x :
          {pressure[i], pressure_rate[i], owed_volume[i], spacing[i], static_cast<double>(kind[i]),
@@ -138,7 +138,7 @@ namespace Lahar
       algorithmic_acceleration[i][d] = *value++;
       reaction[i][d]                 = *value++;
       friction[i][d]                 = *value++;
-      slip_facets[i][d]              = static_cast<int>(*value++);
+      contact_facets[i][d]           = static_cast<int>(*value++);
     }
     pressure[i]      = *value++;
     pressure_rate[i] = *value++;
@@ -206,9 +206,9 @@ namespace Lahar
 
 
   template <int dim>
-  bool ParticleCloud<dim>::on_slip_wall(const unsigned int particle) const
+  bool ParticleCloud<dim>::in_contact(const unsigned int particle) const
   {
-    return slip_facets[particle][0] != no_facet;
+    return contact_facets[particle][0] != no_facet;
   }
 
 

@@ -39,7 +39,7 @@ namespace Lahar
     const Tensor<1, dim> force = -snapshot.cloud.reaction[particle];
     std::vector<unsigned int> facets;
     bool is_one = true;
-    for (const int facet : snapshot.cloud.slip_facets[particle])
+    for (const int facet : snapshot.cloud.contact_facets[particle])
       if (facet != ParticleCloud<dim>::no_facet)
       {
         facets.push_back(facet);
@@ -88,7 +88,7 @@ namespace Lahar
       {
         if (snapshot.cloud.kind[particle] == ParticleKind::wall)
           forces[snapshot.cloud.part[particle]] -= snapshot.cloud.reaction[particle];
-        else if (snapshot.cloud.on_slip_wall(particle))
+        else if (snapshot.cloud.in_contact(particle))
           add_sliding(snapshot, particle, forces);
       }
     std::vector<double> components(dim * names.size());

@@ -50,7 +50,7 @@ namespace Lahar
       for (const unsigned int particle : snapshot.mesh.particles())
       {
         const bool is_on_wall = snapshot.cloud.kind[particle] == ParticleKind::wall ||
-                                snapshot.cloud.on_slip_wall(particle);
+                                snapshot.cloud.in_contact(particle);
         if (is_on_wall && snapshot.cloud.is_own(particle) &&
             box.contains(snapshot.cloud.position[particle], 0.))
           force -= snapshot.cloud.reaction[particle];

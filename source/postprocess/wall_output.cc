@@ -24,7 +24,7 @@ namespace Lahar
       for (unsigned int v = 0; v < dim; ++v)
       {
         patch.vertices[v] = facet.corners[v];
-        patch.data(0, v)  = facet.slip;
+        patch.data(0, v)  = facet.lands && !facet.sticks;
       }
       patches.push_back(patch);
     }

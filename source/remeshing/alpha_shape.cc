@@ -108,7 +108,7 @@ namespace Lahar
           towards_a.clear();
           for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., -1e-3 * h))
           {
-            const bool lands     = walls.facets()[facet].slip;
+            const bool lands     = walls.facets()[facet].lands;
             const auto is_beside = [&](const unsigned int c) {
               return std::abs(walls.signed_distance(facet, corners[c])) >
                      (lands && cloud.kind[simplex[c]] == ParticleKind::fluid ? 1e-2 * contact_offset
@@ -260,7 +260,7 @@ namespace Lahar
     // Fluid in contact is a wet place of the wall; where there is no other, it lies round a hollow corner.
     const auto is_fluid = [&](const unsigned int c) { return cloud.kind[simplex[c]] == ParticleKind::fluid; };
     const auto is_wet   = [&](const unsigned int c) {
-      return is_fluid(c) ? cloud.on_slip_wall(simplex[c]) : old_domain.was_wet(simplex[c]);
+      return is_fluid(c) ? cloud.in_contact(simplex[c]) : old_domain.was_wet(simplex[c]);
     };
     bool any_wet = false, any_free = false;
     for (unsigned int c = 0; c <= dim; ++c)

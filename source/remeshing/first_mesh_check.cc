@@ -42,7 +42,7 @@ namespace Lahar
             for (const unsigned int other : cell)
             {
               const double height = walls.signed_distance(f, cloud.position[other]) / cloud.spacing[i];
-              if (!walls.facets()[f].slip &&
+              if (!walls.facets()[f].lands &&
                   std::abs(walls.signed_distance(f, cloud.position[i])) < on_facet * cloud.spacing[i] &&
                   cloud.kind[other] == ParticleKind::fluid && std::abs(height) > on_facet &&
                   walls.is_above(f, cloud.position[other], 0.))

@@ -166,14 +166,14 @@ namespace Lahar
   template <int dim>
   void FluidMesh<dim>::find_boundary_faces(const ParticleCloud<dim> &cloud)
   {
-    const auto share_slip_facet = [&](const unsigned int cell, const unsigned int opposite) {
-      for (const int facet : cloud.slip_facets[cells_of_particles[cell][(opposite + 1) % (dim + 1)]])
+    const auto share_facet = [&](const unsigned int cell, const unsigned int opposite) {
+      for (const int facet : cloud.contact_facets[cells_of_particles[cell][(opposite + 1) % (dim + 1)]])
       {
         bool shared = (facet != ParticleCloud<dim>::no_facet);
         for (unsigned int c = 0; c <= dim && shared; ++c)
           if (c != opposite)
           {
-            const auto &others = cloud.slip_facets[cells_of_particles[cell][c]];
+            const auto &others = cloud.contact_facets[cells_of_particles[cell][c]];
             shared             = std::find(others.begin(), others.end(), facet) != others.end();
           }
         if (shared)
@@ -192,7 +192,7 @@ namespace Lahar
         for (unsigned int v = 0; v <= dim; ++v)
           has_fluid = has_fluid ||
                       (v != opposite && cloud.kind[cells_of_particles[c][v]] == ParticleKind::fluid);
-        faces.push_back({c, opposite, has_fluid && !share_slip_facet(c, opposite)});
+        faces.push_back({c, opposite, has_fluid && !share_facet(c, opposite)});
       }
   }
 

@@ -61,14 +61,14 @@ namespace Lahar
     /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface.
     constexpr double surface_to_wall = 0.3;
 
-    /// A particle nearer to a no-slip wall than this times h gives way.
+    /// A particle nearer than this times h to a wall that carries particles gives way.
     constexpr double smallest_gap = 0.1;
 
     template <int dim>
     bool is_at_wall(const Point<dim> &position, const double h, const Walls<dim> &walls)
     {
       for (const unsigned int facet : walls.near(position, smallest_gap * h))
-        if (!walls.facets()[facet].slip &&
+        if (!walls.facets()[facet].lands &&
             std::abs(walls.signed_distance(facet, position)) < smallest_gap * h &&
             walls.is_above(facet, position, 0.))
           return true;
@@ -163,7 +163,7 @@ namespace Lahar
           result.push_back({fluid, {}, {}, {}});
       }
       else if (rank[a] != rank[b] || rank[b] == 0 ||
-               (rank[b] <= dim && cloud.slip_facets[a] == cloud.slip_facets[b]))
+               (rank[b] <= dim && cloud.contact_facets[a] == cloud.contact_facets[b]))
         result.push_back({inside, {}, {inside == a ? b : a}, {}});
       else if constexpr (dim == 2)
         if (rank[b] == dim + 1)
@@ -186,13 +186,13 @@ namespace Lahar
                                                         const Migration<dim> &migration) const
   {
     const unsigned int n = cloud.size();
-    // What holds the shape of the domain stays before what lies inside it: slip walls' contacts, the free surface.
+    // What holds the shape of the domain stays before what lies inside it: contacts with walls, the free surface.
     std::vector<unsigned int> rank(n);
     const std::vector<bool> on_surface = mesh.on_free_surface(n);
     for (unsigned int i = 0; i < n; ++i)
     {
       rank[i] = on_surface[i] ? dim + 1 : 0;
-      for (const int facet : cloud.slip_facets[i])
+      for (const int facet : cloud.contact_facets[i])
         rank[i] += (facet != ParticleCloud<dim>::no_facet);
     }
     Changes changes{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};

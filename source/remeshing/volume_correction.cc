@@ -263,7 +263,7 @@ namespace Lahar
     const std::vector<Tensor<1, dim>> area = surface_areas(mesh, cloud);
     std::vector<double> free_area(cloud.size(), 0.), whole_area(cloud.size(), 0.);
     const auto is_movable = [&](const unsigned int i) {
-      return cloud.is_own(i) && is_fluid(i) && has_cell[i] && !cloud.on_slip_wall(i) && area[i].norm() > 0.;
+      return cloud.is_own(i) && is_fluid(i) && has_cell[i] && !cloud.in_contact(i) && area[i].norm() > 0.;
     };
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (is_movable(i))

@@ -23,7 +23,7 @@ namespace Lahar
     // On each side of a facet the particles by their place along it.
     std::vector<std::array<std::vector<std::pair<double, unsigned int>>, 2>> rows(n_facets);
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      for (const int f : cloud.slip_facets[i])
+      for (const int f : cloud.contact_facets[i])
         if (f != ParticleCloud<2>::no_facet && is_wet[f][0] && is_wet[f][1])
         {
           const auto &corners = walls.facets()[f].corners;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/open_floor.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/remeshing/first_mesh_check.h>
 #include <lahar/simulator/cost_estimate.h>
 #include <lahar/simulator/simulator.h>
@@ -43,7 +43,7 @@ namespace Lahar
     if (const std::string text = warn_of_open_floor(particles, obstacles(contour), input.gravity);
         !text.empty())
       output.warn(text);
-    SlipCondition<dim>(WallStep<dim>(walls)).initialize(particles);
+    WallContact<dim>(WallStep<dim>(walls)).initialize(particles);
     inlets.start(input.geometry.inflows(), walls, particles);
     outlets = input.geometry.outlets();
     outlets.check_initial(particles);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/slip_condition.h>
 #include <lahar/boundary/solid_collision.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
@@ -283,7 +283,7 @@ namespace Lahar
     stop_at_walls(old_position, wall_step, particles);
     counters.kept_out += count_on_ranks(
       SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
-    SlipCondition<dim>(wall_step).update(old_position, particles);
+    WallContact<dim>(wall_step).update(old_position, particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
@@ -347,11 +347,11 @@ namespace Lahar
   template <int dim>
   std::vector<NodeConstraint<dim>> Simulator<dim>::constraints(const WallStep<dim> &wall_step) const
   {
-    const SlipCondition<dim> slip_condition(wall_step);
+    const WallContact<dim> wall_contact(wall_step);
     std::vector<NodeConstraint<dim>> result;
     result.reserve(fluid_mesh.n_vertices());
     for (const unsigned int particle : fluid_mesh.particles())
-      result.push_back(slip_condition.constraint(particle, particles));
+      result.push_back(wall_contact.constraint(particle, particles));
     inlets.constrain(particles, fluid_mesh, result);
     return result;
   }

@@ -3,7 +3,7 @@
 // Test how fluid lands on walls: it sticks where the law says so, keeps to its side of walls without thickness and of
 // thin bodies, goes on along smooth surfaces and stays in sharp hollow corners; and which edges of walls are sharp.
 
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/geometry/sharp_edges.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void test_sticking()
 {
   const Walls<2> walls({line({0., 0.}, {2., 0.}, true), line({2., 0.}, {4., 0.}, false)});
   const WallStep<2> standing(walls);
-  const SlipCondition<2> contact(standing);
+  const WallContact<2> contact(standing);
   ParticleCloud<2> cloud;
   const double h                           = 0.1;
   const std::vector<Point<2>> old_position = {{1., 0.02}, {3., 0.02}};
@@ -46,7 +46,7 @@ void test_sides()
   const Walls<2> walls({line({0., 0.}, {0., 1.}, false), line({1., 0.}, {1., 1.}, false),
                         line({1.004, 1.}, {1.004, 0.}, false)});
   const WallStep<2> standing(walls);
-  const SlipCondition<2> contact(standing);
+  const WallContact<2> contact(standing);
   ParticleCloud<2> cloud;
   const double h                           = 0.1;
   const std::vector<Point<2>> old_position = {{-0.02, 0.5}, {0.02, 0.5}, {-0.03, 0.6},
@@ -79,18 +79,18 @@ void test_joints()
   const Walls<2> walls(
     {line({0., 0.}, joint, false), line(joint, end, false), line(end, end + Point<2>(-s, c), false)});
   const WallStep<2> standing(walls);
-  const SlipCondition<2> contact(standing);
+  const WallContact<2> contact(standing);
   ParticleCloud<2> cloud;
-  const double h          = 0.1;
-  const unsigned int i    = cloud.append({0.99, contact_offset * h}, ParticleKind::fluid, h);
-  cloud.slip_facets[i][0] = 0;
+  const double h             = 0.1;
+  const unsigned int i       = cloud.append({0.99, contact_offset * h}, ParticleKind::fluid, h);
+  cloud.contact_facets[i][0] = 0;
   std::vector<Point<2>> old_position;
   const auto move_to = [&](const Point<2> &p) {
     old_position      = cloud.position;
     cloud.position[i] = p;
     contact.update(old_position, cloud);
   };
-  const auto facets = [&] { return cloud.slip_facets[i]; };
+  const auto facets = [&] { return cloud.contact_facets[i]; };
   const int none    = ParticleCloud<2>::no_facet;
   move_to({0.995, contact_offset * h});
   check("near the next piece it stays on the first", facets() == std::array<int, 2>{{0, none}});

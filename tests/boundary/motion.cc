@@ -5,7 +5,7 @@
 
 #include <lahar/boundary/boundary_motion.h>
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/utilities/factory.h>
 
 #include <fstream>
@@ -127,7 +127,7 @@ void test_no_slip()
 {
   const Piston piston(false);
   const WallStep<2> step = piston.step();
-  const SlipCondition<2> condition(step);
+  const WallContact<2> condition(step);
   check("moves", step.any_moves() && step.moves(1) && !step.moves(0) && step.facet_moves(1));
   ParticleCloud<2> cloud;
   const unsigned int stuck          = cloud.append({0., 0.5}, ParticleKind::wall, 0.1, 1),
@@ -166,13 +166,13 @@ void test_slip()
 {
   const Piston piston(true);
   const WallStep<2> step = piston.step();
-  const SlipCondition<2> condition(step);
+  const WallContact<2> condition(step);
   ParticleCloud<2> cloud;
   for (const Point<2> &p : {Point<2>(0., 0.5), Point<2>(0., 0.), Point<2>(0.02, 0.3)})
     cloud.append(p, ParticleKind::fluid, 0.1);
   const WallStep<2> standing(piston.start);
-  SlipCondition<2>(standing).initialize(cloud);
-  check("in contact at the start", cloud.on_slip_wall(0) && cloud.on_slip_wall(1) && !cloud.on_slip_wall(2));
+  WallContact<2>(standing).initialize(cloud);
+  check("in contact at the start", cloud.in_contact(0) && cloud.in_contact(1) && !cloud.in_contact(2));
   const std::vector<Point<2>> old_position = cloud.position;
   for (const unsigned int i : {0, 1})
   {
@@ -190,7 +190,7 @@ void test_slip()
   }
   check("in the corner it is on the floor, too", cloud.position[1][1], 1e-15);
   condition.update(old_position, cloud);
-  check("the wall meets a particle that stands", cloud.on_slip_wall(2));
+  check("the wall meets a particle that stands", cloud.in_contact(2));
   check("and puts it before itself", piston.end.signed_distance(1, cloud.position[2]), 1e-15);
   const Tensor<1, 2> normal = piston.end.normal(1);
   check("with its normal velocity", (cloud.velocity[2] - step.velocity_at_end(1, cloud.position[2])) * normal,

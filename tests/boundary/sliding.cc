@@ -4,7 +4,7 @@
 // on either side of sliding, the iteration of the multiplier, and the shares of a boundary that vertices have.
 
 #include <lahar/boundary/sliding_contact.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/utilities/factory.h>
 
 #include <sstream>
@@ -136,8 +136,8 @@ void test_laws()
   const auto navier  = create("Navier slip", {{"Slip coefficient", "30"}});
   const auto yield   = create("yield slip", {{"Sliding yield stress", "10"}, {"Slip coefficient", "2"}});
   const auto coulomb = create("Coulomb", {{"Friction coefficient", "0.5"}, {"Cohesion", "4"}});
-  check("they slide and resist", navier->slips() && navier->resists() && yield->slips() && yield->resists() &&
-                                   coulomb->slips() && coulomb->resists());
+  check("they slide and resist", navier->lands() && navier->resists() && yield->lands() && yield->resists() &&
+                                   coulomb->lands() && coulomb->resists());
   check("Navier slip", navier->resistance(7.).viscous == 30. && navier->resistance(7.).threshold == 0.);
   check("yield slip", yield->resistance(7.).viscous == 2. && yield->resistance(7.).threshold == 10.);
   check("Coulomb",
@@ -168,7 +168,7 @@ void test_shares()
   for (const Point<2> &p :
        {Point<2>(0., 0.), Point<2>(1., 0.), Point<2>(1., 1.), Point<2>(0., 1.), Point<2>(0.5, 0.5)})
     cloud.append(p, ParticleKind::fluid, 1.);
-  SlipCondition<2>(step).initialize(cloud);
+  WallContact<2>(step).initialize(cloud);
   FluidMesh<2> mesh;
   mesh.reinit(cloud, {{{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}});
   const auto contacts = SlidingContact<2>::find(mesh, cloud, step, {floor.get(), side.get()});

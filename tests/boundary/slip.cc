@@ -4,7 +4,7 @@
 // and edges and corners in 3D, contact, sliding over a rim and projection.
 
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 #include <lahar/remeshing/migration.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ void test_2d()
   const Walls<2> walls(
     {{{{{0., 0.}, {2., 0.}}}, true}, {{{{0., 0.}, {0., 2.}}}, true}, {{{{3., 1.}, {4., 2.}}}, true}});
   const WallStep<2> standing(walls);
-  const SlipCondition<2> slip(standing);
+  const WallContact<2> slip(standing);
   const double h = 0.1;
   ParticleCloud<2> cloud;
   const auto add           = [&](const Point<2> &p) { return cloud.append(p, ParticleKind::fluid, h); };
@@ -85,25 +85,25 @@ void test_2d()
   check_frame<2>("hollow corner", slip.constraint(corner, cloud), {e_x, e_y});
   check_frame<2>("skew wall", slip.constraint(skew, cloud), {diagonal});
   check_frame<2>("inner particle", slip.constraint(inner, cloud), {});
-  check("wall particle is fixed", slip.constraint(wall, cloud).n_fixed == 2 && !cloud.on_slip_wall(wall));
+  check("wall particle is fixed", slip.constraint(wall, cloud).n_fixed == 2 && !cloud.in_contact(wall));
 
   // Through the floor; near the floor; near the skew wall; along the floor over its rim; into the corner.
   const unsigned int through = add({0.5, 0.02}), close = add({0.7, 0.05}), to_skew = add({3.5, 1.7}),
                      over = add({1.99, 0.}), into = add({0.3, 0.}), away = add({1.2, 0.05});
-  cloud.slip_facets[over][0] = cloud.slip_facets[into][0] = 0;
-  std::vector<Point<2>> old_position                      = cloud.position;
-  cloud.position[through]                                 = {0.52, -0.03};
-  cloud.velocity[through]                                 = Point<2>(2., -5.);
-  cloud.acceleration[through]                             = Point<2>(1., -9.);
-  cloud.position[close]                                   = {0.72, 0.009};
-  cloud.velocity[close]                                   = Point<2>(2., -4.);
-  cloud.position[to_skew]                                 = Point<2>(3.5, 1.5) - 0.004 * diagonal;
-  cloud.velocity[to_skew]                                 = Point<2>(3., 1.);
-  cloud.position[over]                                    = {2.01, 0.};
-  cloud.velocity[over]                                    = Point<2>(2., 0.);
-  cloud.position[into]                                    = {-0.02, 0.};
-  cloud.velocity[into]                                    = Point<2>(-3., 0.);
-  cloud.position[away]                                    = {1.2, 0.011};
+  cloud.contact_facets[over][0] = cloud.contact_facets[into][0] = 0;
+  std::vector<Point<2>> old_position                            = cloud.position;
+  cloud.position[through]                                       = {0.52, -0.03};
+  cloud.velocity[through]                                       = Point<2>(2., -5.);
+  cloud.acceleration[through]                                   = Point<2>(1., -9.);
+  cloud.position[close]                                         = {0.72, 0.009};
+  cloud.velocity[close]                                         = Point<2>(2., -4.);
+  cloud.position[to_skew]                                       = Point<2>(3.5, 1.5) - 0.004 * diagonal;
+  cloud.velocity[to_skew]                                       = Point<2>(3., 1.);
+  cloud.position[over]                                          = {2.01, 0.};
+  cloud.velocity[over]                                          = Point<2>(2., 0.);
+  cloud.position[into]                                          = {-0.02, 0.};
+  cloud.velocity[into]                                          = Point<2>(-3., 0.);
+  cloud.position[away]                                          = {1.2, 0.011};
   slip.update(old_position, cloud);
   const double off = contact_offset * h; // on its side of the facet
   check("through the floor: put on it", (cloud.position[through] - Point<2>(0.52, off)).norm(), 1e-15);
@@ -115,15 +115,15 @@ void test_2d()
   check("near the floor: put on it", (cloud.position[close] - Point<2>(0.72, off)).norm(), 1e-15);
   check("skew wall: put on it", (cloud.position[to_skew] - Point<2>(3.5, 1.5)).norm() - off, 1e-14);
   check("keeps its tangential velocity", (cloud.velocity[to_skew] - Point<2>(2., 2.)).norm(), 1e-14);
-  check("over the rim: free", !cloud.on_slip_wall(over));
+  check("over the rim: free", !cloud.in_contact(over));
   check("into the corner: put there", (cloud.position[into] - Point<2>(off, off)).norm(), 1e-15);
   check("and stopped", cloud.velocity[into].norm(), 1e-15);
   check_frame<2>("into the corner", slip.constraint(into, cloud), {e_x, e_y});
-  check("above the distance of contact: free", !cloud.on_slip_wall(away));
+  check("above the distance of contact: free", !cloud.in_contact(away));
   check("no contact moves the others", (cloud.position[inner] - Point<2>(1., 0.5)).norm() == 0. &&
-                                         cloud.on_slip_wall(floor) && cloud.on_slip_wall(corner));
-  SlipCondition<2>::release(corner, cloud);
-  check("released", !cloud.on_slip_wall(corner));
+                                         cloud.in_contact(floor) && cloud.in_contact(corner));
+  WallContact<2>::release(corner, cloud);
+  check("released", !cloud.in_contact(corner));
 }
 
 void test_3d()
@@ -141,7 +141,7 @@ void test_3d()
   }
   const Walls<3> walls(facets);
   const WallStep<3> standing(walls);
-  const SlipCondition<3> slip(standing);
+  const WallContact<3> slip(standing);
   ParticleCloud<3> cloud;
   for (const Point<3> &p :
        {Point<3>(0.3, 0.4, 0.), Point<3>(0.3, 0., 0.), Point<3>(0., 0., 0.), Point<3>(0.5, 0.5, 0.)})
@@ -201,7 +201,7 @@ void test_ranks()
 {
   const Walls<2> walls({{{{{0., 0.}, {4., 0.}}}, true}, {{{{4., 0.}, {4., 2.}}}, true}});
   const WallStep<2> standing(walls);
-  const SlipCondition<2> slip(standing);
+  const WallContact<2> slip(standing);
   constexpr double h = 0.1;
   ParticleCloud<2> whole;
   for (unsigned int j = 0; j < 5; ++j)
@@ -234,12 +234,12 @@ void test_ranks()
       const unsigned int j               = part.number[i];
       const NodeConstraint<2> constraint = slip.constraint(i, part), expected = slip.constraint(j, whole);
       same = same && part.position[i] == whole.position[j] && part.velocity[i] == whole.velocity[j] &&
-             part.slip_facets[i] == whole.slip_facets[j] && constraint.n_fixed == expected.n_fixed &&
+             part.contact_facets[i] == whole.contact_facets[j] && constraint.n_fixed == expected.n_fixed &&
              constraint.frame == expected.frame;
     }
     n_in_contact.push_back(0);
     for (unsigned int i = 0; i < part.size(); ++i)
-      n_in_contact.back() += part.is_own(i) && part.on_slip_wall(i);
+      n_in_contact.back() += part.is_own(i) && part.in_contact(i);
   }
   check("ranks: positions, velocities and constraints of one", same);
   Utilities::MPI::sum(n_in_contact, MPI_COMM_WORLD, n_in_contact);

@@ -182,9 +182,9 @@ void test_parts()
   check("each fluid has its initial velocity", moves);
   const auto &facets = c.walls.facets();
   check("facets know their boundary and its law",
-        facets.size() == 4 && facets[0].boundary == 0 && !facets[0].slip && facets[1].boundary == 1 &&
-          facets[1].slip && facets[2].boundary == 1 && facets[2].slip && facets[3].boundary == 2 &&
-          !facets[3].slip);
+        facets.size() == 4 && facets[0].boundary == 0 && !facets[0].lands && facets[1].boundary == 1 &&
+          facets[1].lands && facets[2].boundary == 1 && facets[2].lands && facets[3].boundary == 2 &&
+          !facets[3].lands);
   check("walls know the names of the boundaries",
         c.walls.boundary_names() == std::vector<std::string>({"floor", "sides", "lid"}));
   const InitialGeometry<2> geometry = make_geometry<2>(
@@ -253,7 +253,7 @@ int main(int argc, char **argv)
                    lines("0, 2 : 0, 0 : 1, 0", "free slip")},
                   0.1);
   check("slip walls carry no particles", slip.cloud.n_particles(ParticleKind::wall) == 0 &&
-                                           slip.walls.facets().size() == 2 && slip.walls.facets()[0].slip);
+                                           slip.walls.facets().size() == 2 && slip.walls.facets()[0].lands);
   check("a polygon is filled", slip.mesh.volume(slip.cloud) - 1.15, 1e-10);
   const Case step({boxes("0, 0 : 1, 1; 2, 0 : 2.5, 0.5"),
                    lines("0, 0 : 3, 0; 1, 0 : 1.5, 0 : 1.5, 0.5 : 1, 0.5 : 1, 0")},

@@ -18,7 +18,7 @@ void test()
     const std::size_t n = cloud.size();
     return cloud.velocity.size() == n && cloud.acceleration.size() == n && cloud.pressure.size() == n &&
            cloud.pressure_rate.size() == n && cloud.kind.size() == n && cloud.spacing.size() == n &&
-           cloud.slip_facets.size() == n;
+           cloud.contact_facets.size() == n;
   };
 
   Random random;
@@ -29,7 +29,7 @@ void test()
     AssertThrow(index == i, ExcInternalError());
     check("a new particle is at rest, without pressure and contact",
           cloud.velocity[i].norm() == 0. && cloud.acceleration[i].norm() == 0. && cloud.pressure[i] == 0. &&
-            cloud.pressure_rate[i] == 0. && !cloud.on_slip_wall(i));
+            cloud.pressure_rate[i] == 0. && !cloud.in_contact(i));
     cloud.velocity[i]                 = random.vector<dim>();
     cloud.acceleration[i]             = random.vector<dim>();
     cloud.algorithmic_acceleration[i] = random.vector<dim>();
@@ -42,11 +42,11 @@ void test()
                                   cloud.n_particles(ParticleKind::solid) == 0);
 
   // Both slide on facet 7, each on one more.
-  cloud.slip_facets[2][0] = 4;
-  cloud.slip_facets[2][1] = 7;
-  cloud.slip_facets[5][0] = 7;
-  cloud.slip_facets[5][1] = 9;
-  const unsigned int m    = cloud.append_midpoint(2, 5);
+  cloud.contact_facets[2][0] = 4;
+  cloud.contact_facets[2][1] = 7;
+  cloud.contact_facets[5][0] = 7;
+  cloud.contact_facets[5][1] = 9;
+  const unsigned int m       = cloud.append_midpoint(2, 5);
   const double error =
     (cloud.position[m] - cloud.position[2] - 0.5 * (cloud.position[5] - cloud.position[2])).norm() +
     (cloud.velocity[m] - 0.5 * (cloud.velocity[2] + cloud.velocity[5])).norm() +
@@ -56,8 +56,8 @@ void test()
     std::abs(cloud.spacing[m] - 0.45);
   check("a particle in the middle has the mean state", error, 1e-15);
   check("it is fluid and slides on the shared facet alone",
-        cloud.kind[m] == ParticleKind::fluid && cloud.slip_facets[m][0] == 7 &&
-          cloud.slip_facets[m][1] == ParticleCloud<dim>::no_facet && cloud.on_slip_wall(m));
+        cloud.kind[m] == ParticleKind::fluid && cloud.contact_facets[m][0] == 7 &&
+          cloud.contact_facets[m][1] == ParticleCloud<dim>::no_facet && cloud.in_contact(m));
   const unsigned int at_wall = cloud.append_midpoint(0, 1);
   check("between wall particles: fluid as well", cloud.kind[at_wall] == ParticleKind::fluid && at_wall == 7);
   check("arrays have one length", is_consistent());
@@ -76,7 +76,7 @@ void test()
       same = same && cloud.position[k] == before.position[i] && cloud.velocity[k] == before.velocity[i] &&
              cloud.acceleration[k] == before.acceleration[i] && cloud.pressure[k] == before.pressure[i] &&
              cloud.pressure_rate[k] == before.pressure_rate[i] && cloud.kind[k] == before.kind[i] &&
-             cloud.spacing[k] == before.spacing[i] && cloud.slip_facets[k] == before.slip_facets[i];
+             cloud.spacing[k] == before.spacing[i] && cloud.contact_facets[k] == before.contact_facets[i];
     }
   }
   check("remove keeps the order of the others", kept_order && cloud.size() == 4);

@@ -167,9 +167,9 @@ void test_mesh()
   for (unsigned int i = 1; i <= outside; ++i)
   {
     if (shifted.position[i][0] == 0.)
-      shifted.slip_facets[i][i % 2] = 5;
+      shifted.contact_facets[i][i % 2] = 5;
     if (shifted.position[i][0] == 1.)
-      shifted.slip_facets[i][0] = 10 + i;
+      shifted.contact_facets[i][0] = 10 + i;
   }
   check(name + "the same connectivity is recognised", !mesh.reinit(shifted, cells));
   check(name + "faces on one common slip facet are no free surface", count_faces()[1] - (2. * dim - 2.),
@@ -243,7 +243,7 @@ void test_spacing()
   // Between two wall particles, farther from both than the shortest edge.
   WallFacet<2> facet{{{{6., 0.}, {0., 0.}}}};
   WallFacet<2> slip_facet = facet;
-  slip_facet.slip         = true;
+  slip_facet.lands        = true;
   ParticleCloud<2> sparse = make_cloud<2>(6, 1.);
   for (unsigned int i = 0; i < n; ++i)
     sparse.position[i][0] *= 1.4;

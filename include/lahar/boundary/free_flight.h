@@ -15,8 +15,8 @@ namespace Lahar
                                const double time_step, ParticleCloud<dim> &cloud);
 
   /**
-   * Stop fluid particles whose way from @p old_position (by particle) leads through a no-slip wall: they stay a tenth of
-   * their spacing in front of it and take its velocity. At slip walls SlipCondition takes over.
+   * Stop fluid particles whose way from @p old_position (by particle) leads through a wall that carries particles: they
+   * stay a tenth of their spacing in front of it and take its velocity. On other walls they land (WallContact).
    */
   template <int dim>
   void stop_at_walls(const std::vector<Point<dim>> &old_position, const WallStep<dim> &step,

@@ -29,7 +29,7 @@ namespace Lahar
     /// @throws InputError, also unless just one of 'Velocity', 'Discharge' and 'Discharge table' is there.
     void parse_parameters(Parameters &prm) override;
 
-    bool slips() const override
+    bool lands() const override
     {
       return false;
     }

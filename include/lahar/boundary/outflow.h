@@ -21,7 +21,7 @@ namespace Lahar
     /// @throws InputError
     void parse_parameters(Parameters &prm) override;
 
-    bool slips() const override
+    bool lands() const override
     {
       return false;
     }

@@ -27,7 +27,7 @@ namespace Lahar
       return particles;
     }
 
-    /// The facets as no-slip walls.
+    /// The facets as walls that carry particles.
     const std::vector<WallFacet<dim>> &wall_facets() const
     {
       return shapes.facets();

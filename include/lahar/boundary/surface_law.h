@@ -33,10 +33,10 @@ namespace Lahar
 
     virtual void parse_parameters(Parameters & /*prm*/) {}
 
-    /// Whether fluid slides along the surface (SlipCondition); it sticks to particles of the surface otherwise.
-    virtual bool slips() const = 0;
+    /// Whether fluid lands on the surface (WallContact); the surface carries particles otherwise.
+    virtual bool lands() const = 0;
 
-    /// Whether fluid that lies on the surface goes with it.
+    /// Whether fluid that has landed goes with the surface, instead of sliding along it.
     virtual bool sticks() const
     {
       return false;

@@ -85,10 +85,10 @@ namespace Lahar
                : 0.;
     }
 
-    /// On which side of a facet a point is, at @p point at the start of the step: 1 or −1.
-    int side_at_start(const unsigned int facet, const Point<dim> &point) const
+    /// Signed distance of a point, at @p point at the start of the step, from a facet's plane then.
+    double distance_at_start(const unsigned int facet, const Point<dim> &point) const
     {
-      return start.signed_distance(facet, point) < 0. ? -1 : 1;
+      return start.signed_distance(facet, point);
     }
 
     /// Facets that a particle's way from @p a to @p b passes through, each in the frame of its boundary; see

@@ -25,7 +25,7 @@ namespace Lahar
     std::vector<Point<dim>> corners;
     bool closed = false; ///< of a polyline: the last corner is joined to the first
     std::vector<std::array<Point<dim>, dim>> mesh_facets; ///< in space, instead of corners
-    bool slip             = false;                        ///< see WallFacet
+    bool lands            = false;                        ///< see WallFacet
     unsigned int boundary = 0;                            ///< see WallFacet
     bool moves            = false;                        ///< see WallFacet
     bool sticks           = false;                        ///< see WallFacet

@@ -21,10 +21,10 @@ namespace Lahar
   struct WallFacet
   {
     std::array<Point<dim>, dim> corners;
-    bool slip             = false; ///< fluid slides along it (SlipCondition) instead of sticking to it
+    bool lands            = false; ///< fluid lands on it (WallContact); else it carries particles of its own
     unsigned int boundary = 0;     ///< the number of the case's boundary that it belongs to
     bool moves            = false; ///< whether that boundary moves in the run
-    bool sticks           = false; ///< fluid that lies on it goes with it
+    bool sticks           = false; ///< fluid that has landed goes with it, instead of sliding
   };
 
   /// Fluid particles that lie on a facet are this times their spacing away from it, on their side of it.
@@ -37,8 +37,7 @@ namespace Lahar
   /**
    * The rigid walls of a case, as flat facets.
    *
-   * No-slip walls carry particles and hold the fluid through the contact elements of the mesh. Slip walls carry none:
-   * fluid particles that touch them slide along them (SlipCondition).
+   * Fluid lands on them (WallContact), or they carry particles that hold it through the cells that join both.
    */
   template <int dim>
   class Walls

@@ -14,7 +14,7 @@ namespace Lahar
 
   /**
    * Which velocity components of a node are prescribed: the first #n_fixed ones in the orthonormal basis whose vectors
-   * are the rows of #frame. A free node has none, a no-slip node all, a node on a slip wall one for each wall normal.
+   * are the rows of #frame. A free node has none, one that sticks all, one that slides one for each wall normal.
    * They are those of #velocity. The pressure may be prescribed, too, as it is.
    */
   template <int dim>

@@ -17,8 +17,7 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// What a particle is: it moves with the fluid, it rests on a rigid no-slip wall, or it is a node of a solid's
-  /// contour.
+  /// What a particle is: it moves with the fluid, it belongs to a rigid wall, or it is a node of a solid's contour.
   enum class ParticleKind : unsigned char
   {
     fluid,
@@ -39,7 +38,7 @@ namespace Lahar
   class ParticleCloud
   {
   public:
-    /// Marks an unused entry of #slip_facets.
+    /// Marks an unused entry of #contact_facets.
     static constexpr int no_facet = -1;
 
     std::vector<Point<dim>> position;         ///< m
@@ -56,10 +55,10 @@ namespace Lahar
     std::vector<ParticleKind> kind;
     std::vector<unsigned int>
       part; ///< the number of the fluid, boundary or solid that the particle belongs to, by its kind
-    std::vector<double> spacing;                   ///< wanted distance h to the next particles, m
-    std::vector<std::array<int, dim>> slip_facets; ///< facets of the slip walls on which the particle slides
-    std::vector<std::uint64_t> number;             ///< identifies the particle, ascending
-    std::vector<unsigned int> owner;               ///< the rank that it belongs to
+    std::vector<double> spacing;                      ///< wanted distance h to the next particles, m
+    std::vector<std::array<int, dim>> contact_facets; ///< facets of walls on which the particle lies
+    std::vector<std::uint64_t> number;                ///< identifies the particle, ascending
+    std::vector<unsigned int> owner;                  ///< the rank that it belongs to
 
     unsigned int rank         = 0; ///< this rank
     std::uint64_t next_number = 0; ///< of the next new particle
@@ -82,13 +81,13 @@ namespace Lahar
       return owner_of(cell) == rank;
     }
 
-    /// Append a particle of this rank at rest, without pressure and without contact to a slip wall. Return its index.
+    /// Append a particle of this rank at rest, without pressure and without contact to a wall. Return its index.
     unsigned int append(const Point<dim> &position, const ParticleKind kind, const double spacing,
                         const unsigned int part = 0);
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
-     * pressure, its rate, friction and spacing are their means; it slides on the slip facets that both share and
+     * pressure, its rate, friction and spacing are their means; it lies on the facets that both share and
      * belongs to the owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
@@ -118,14 +117,14 @@ namespace Lahar
     /// Number of this rank's own particles of one kind.
     unsigned int n_particles(const ParticleKind kind) const;
 
-    /// Whether the particle slides on at least one slip wall.
-    bool on_slip_wall(const unsigned int particle) const;
+    /// Whether the particle lies on at least one wall.
+    bool in_contact(const unsigned int particle) const;
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
-        &owed_volume &reaction &friction &kind &part &spacing &slip_facets &number &owner &next_number;
+        &owed_volume &reaction &friction &kind &part &spacing &contact_facets &number &owner &next_number;
     }
   };
 } // namespace Lahar

@@ -22,7 +22,7 @@ namespace Lahar
   {
     unsigned int cell;
     unsigned int opposite; ///< the cell's corner that the face does not have
-    bool free_surface;     ///< not all corners are wall or solid particles, or slide on one common slip facet
+    bool free_surface;     ///< not all corners are wall or solid particles, or lie on one common facet
   };
 
   /**
@@ -63,7 +63,7 @@ namespace Lahar
       return n_changes;
     }
 
-    /// Find the boundary faces by the present contacts of the particles with slip walls.
+    /// Find the boundary faces by the present contacts of the particles with walls.
     void find_boundary_faces(const ParticleCloud<dim> &cloud);
 
     /// Give the vertices the present positions of their particles.

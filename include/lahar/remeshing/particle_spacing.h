@@ -21,9 +21,9 @@ namespace Lahar
    *
    * Edges of the mesh shorter than c_min h lose a fluid particle: the inner one of the two, so that the domain keeps
    * its shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so
-   * that the area under the surface stays. Particles nearer to a no-slip wall than h/10 go: Delaunay simplices between
-   * them and the wall would be flat, and those through a thin wall would take their place. Edges longer than c_max h
-   * get a particle in their middle.
+   * that the area under the surface stays. Particles nearer than h/10 to a wall that carries particles go: Delaunay
+   * simplices between them and the wall would be flat, and those through a thin wall would take their place. Edges
+   * longer than c_max h get a particle in their middle.
    *
    * In space a long edge stays as it is where that particle would do harm, see harmful_midpoints().
    *

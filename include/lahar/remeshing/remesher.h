@@ -86,7 +86,7 @@ namespace Lahar
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective;
      * @p migration has brought particles and mesh to where they belong, with region_distance().
      *
-     * @param walls rigid walls and, as no-slip walls, the solids' contours.
+     * @param walls rigid walls and, as walls that carry particles, the solids' contours.
      * @param solid_facets the contours by particle; their particles stand first in the cloud and remain. In 2D they are
      * edges of the triangulation (constrained Delaunay), so that no triangle crosses a contour.
      */

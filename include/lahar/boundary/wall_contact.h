@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef lahar_boundary_slip_condition_h
-#define lahar_boundary_slip_condition_h
+#ifndef lahar_boundary_wall_contact_h
+#define lahar_boundary_wall_contact_h
 
 #include <lahar/boundary/wall_step.h>
 #include <lahar/linear/node_constraint.h>
@@ -13,34 +13,35 @@
 namespace Lahar
 {
   /**
-   * Sliding along walls: n·v is that of the wall for the particles that touch a slip wall. What resists their sliding is
-   * no matter of this class, see SlidingContact.
+   * Contact with rigid walls: which particles lie on them, and what that prescribes: n·v is that of the wall, and where the
+   * fluid sticks to it all of v. What resists sliding is no matter of this class, see SlidingContact.
    *
-   * A particle that passes through a slip facet, or comes nearer than a tenth of its spacing, is put on the facet and
-   * takes its normal velocity; from then on it slides, and stays in the facet's plane wherever that goes. Where two
-   * facets meet in a hollow corner it belongs to both. It leaves a facet only over its rim or when it is isolated.
+   * A particle that passes through a facet on which fluid lands (WallFacet), or comes nearer than a tenth of its spacing, is
+   * put on it and takes its normal velocity. It lies contact_offset times its spacing off the facet's plane, on its side,
+   * and stays there wherever the plane goes. Where a surface is smooth (smooth_joint) it goes on from one facet to the next;
+   * in a sharp hollow corner it belongs to two or three. It leaves a facet only over its rim or when it is isolated.
    */
   template <int dim>
-  class SlipCondition
+  class WallContact
   {
   public:
     /// @param step where the walls are and go to; it must outlive this object.
-    explicit SlipCondition(const WallStep<dim> &step)
+    explicit WallContact(const WallStep<dim> &step)
       : step(step)
       , walls(step.end())
     {}
 
-    /// Put all fluid particles that lie on a slip wall in contact with it.
+    /// Put all fluid particles that lie on a wall in contact with it.
     void initialize(ParticleCloud<dim> &cloud) const;
 
     /// Contact and separation after the step, which moved the particles away from @p old_position (by particle).
     void update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const;
 
-    /// Separate a particle from all slip walls.
+    /// Separate a particle from all walls.
     static void release(const unsigned int particle, ParticleCloud<dim> &cloud);
 
-    /// The prescribed components of a particle's mean velocity in the step that begins: all at a wall or solid, the
-    /// normal ones at slip walls.
+    /// The prescribed components of a particle's mean velocity in the step that begins: all of particles of walls and solids
+    /// and of those that stick, the normal ones of those that slide.
     NodeConstraint<dim> constraint(const unsigned int particle, const ParticleCloud<dim> &cloud) const;
 
   private:

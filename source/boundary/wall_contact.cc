@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/boundary/slip_condition.h>
+#include <lahar/boundary/wall_contact.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Lahar
 {
   namespace
   {
-    /// A particle nearer to a slip wall than this times its spacing is in contact.
+    /// A particle nearer to a wall than this times its spacing is in contact.
     constexpr double contact_distance = 0.1;
 
     /// Two normals span two directions if the sine of their angle exceeds this.
@@ -18,10 +19,10 @@ namespace Lahar
 
 
   template <int dim>
-  void SlipCondition<dim>::attach(const unsigned int particle, const unsigned int facet, const int side,
-                                  ParticleCloud<dim> &cloud) const
+  void WallContact<dim>::attach(const unsigned int particle, const unsigned int facet, const int side,
+                                ParticleCloud<dim> &cloud) const
   {
-    auto &slots = cloud.slip_facets[particle];
+    auto &slots = cloud.contact_facets[particle];
     if (std::find(slots.begin(), slots.end(), static_cast<int>(facet)) != slots.end())
       return;
     const auto free_slot = std::find(slots.begin(), slots.end(), ParticleCloud<dim>::no_facet);
@@ -70,12 +71,12 @@ namespace Lahar
 
 
   template <int dim>
-  void SlipCondition<dim>::initialize(ParticleCloud<dim> &cloud) const
+  void WallContact<dim>::initialize(ParticleCloud<dim> &cloud) const
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
         for (const unsigned int facet : walls.near(cloud.position[i], 1e-3 * cloud.spacing[i]))
-          if (walls.facets()[facet].slip &&
+          if (walls.facets()[facet].lands &&
               std::abs(walls.signed_distance(facet, cloud.position[i])) < 1e-3 * cloud.spacing[i] &&
               walls.is_above(facet, cloud.position[i], 1e-3 * cloud.spacing[i]))
             attach(i, facet, side_of(facet, cloud.position[i]), cloud);
@@ -84,8 +85,7 @@ namespace Lahar
 
 
   template <int dim>
-  void SlipCondition<dim>::update(const std::vector<Point<dim>> &old_position,
-                                  ParticleCloud<dim> &cloud) const
+  void WallContact<dim>::update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
@@ -93,7 +93,7 @@ namespace Lahar
         continue;
       const double h = cloud.spacing[i];
 
-      auto &slots = cloud.slip_facets[i];
+      auto &slots = cloud.contact_facets[i];
       for (int &facet : slots)
         if (facet != ParticleCloud<dim>::no_facet && !walls.is_above(facet, cloud.position[i], 1e-3 * h))
           facet = ParticleCloud<dim>::no_facet;
@@ -105,18 +105,38 @@ namespace Lahar
                side_of(from, cloud.position[i]) * side * (walls.normal(from) * walls.normal(to)) >
                  smooth_joint;
       };
-      for (const unsigned int facet : step.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
-        if (walls.facets()[facet].slip)
-        {
-          const int side = step.side_at_start(facet, old_position[i]);
-          for (int &from : slots)
-            if (goes_on(from, facet, side))
-              from = ParticleCloud<dim>::no_facet;
-          std::sort(slots.begin(), slots.end(), std::greater<int>());
-          attach(i, facet, side, cloud);
-        }
+      // The first facet on its way stops it there; from then on it may meet others.
+      std::vector<unsigned int> met;
+      for (bool any = true; any;)
+      {
+        any               = false;
+        double nearest    = std::numeric_limits<double>::max();
+        unsigned int next = 0;
+        for (const unsigned int facet : step.crossed(old_position[i], cloud.position[i], 0., 1e-3 * h))
+          if (walls.facets()[facet].lands && std::find(met.begin(), met.end(), facet) == met.end() &&
+              std::find(slots.begin(), slots.end(), static_cast<int>(facet)) == slots.end())
+          {
+            const double before = std::abs(step.distance_at_start(facet, old_position[i])),
+                         after  = std::abs(walls.signed_distance(facet, cloud.position[i]));
+            if (const double part = before / (before + after); part < nearest)
+            {
+              nearest = part;
+              next    = facet;
+            }
+            any = true;
+          }
+        if (!any)
+          break;
+        met.push_back(next);
+        const int side = step.distance_at_start(next, old_position[i]) < 0. ? -1 : 1;
+        for (int &from : slots)
+          if (goes_on(from, next, side))
+            from = ParticleCloud<dim>::no_facet;
+        std::sort(slots.begin(), slots.end(), std::greater<int>());
+        attach(i, next, side, cloud);
+      }
       for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
-        if (walls.facets()[facet].slip &&
+        if (walls.facets()[facet].lands &&
             std::abs(walls.signed_distance(facet, cloud.position[i])) < contact_distance * h &&
             walls.is_above(facet, cloud.position[i], 1e-3 * h) && !walls.is_hidden(facet, cloud.position[i]))
         {
@@ -131,15 +151,15 @@ namespace Lahar
 
 
   template <int dim>
-  void SlipCondition<dim>::release(const unsigned int particle, ParticleCloud<dim> &cloud)
+  void WallContact<dim>::release(const unsigned int particle, ParticleCloud<dim> &cloud)
   {
-    cloud.slip_facets[particle].fill(ParticleCloud<dim>::no_facet);
+    cloud.contact_facets[particle].fill(ParticleCloud<dim>::no_facet);
   }
 
 
 
   template <int dim>
-  int SlipCondition<dim>::side_of(const unsigned int facet, const Point<dim> &point) const
+  int WallContact<dim>::side_of(const unsigned int facet, const Point<dim> &point) const
   {
     return walls.signed_distance(facet, point) < 0. ? -1 : 1;
   }
@@ -147,9 +167,9 @@ namespace Lahar
 
 
   template <int dim>
-  int SlipCondition<dim>::sticking_facet(const unsigned int particle, const ParticleCloud<dim> &cloud) const
+  int WallContact<dim>::sticking_facet(const unsigned int particle, const ParticleCloud<dim> &cloud) const
   {
-    for (const int facet : cloud.slip_facets[particle])
+    for (const int facet : cloud.contact_facets[particle])
       if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].sticks)
         return facet;
     return ParticleCloud<dim>::no_facet;
@@ -158,29 +178,27 @@ namespace Lahar
 
 
   template <int dim>
-  NodeConstraint<dim> SlipCondition<dim>::constraint(const unsigned int particle,
-                                                     const ParticleCloud<dim> &cloud) const
+  NodeConstraint<dim> WallContact<dim>::constraint(const unsigned int particle,
+                                                   const ParticleCloud<dim> &cloud) const
   {
-    if (const int facet = sticking_facet(particle, cloud); facet != ParticleCloud<dim>::no_facet)
-    {
-      NodeConstraint<dim> result;
-      result.n_fixed              = dim;
-      const unsigned int boundary = walls.facets()[facet].boundary;
-      result.moves                = step.moves(boundary);
-      if (result.moves)
-        result.velocity = step.velocity(boundary, cloud.position[particle]);
-      return result;
-    }
+    unsigned int boundary = cloud.part[particle];
+    bool of_wall          = cloud.kind[particle] == ParticleKind::wall;
     if (cloud.kind[particle] == ParticleKind::fluid)
-      return sliding(particle, cloud, [&](const unsigned int facet) {
-        return step.normal_velocity(facet, cloud.position[particle]);
-      });
+    {
+      const int sticking = sticking_facet(particle, cloud);
+      if (sticking == ParticleCloud<dim>::no_facet)
+        return sliding(particle, cloud, [&](const unsigned int facet) {
+          return step.normal_velocity(facet, cloud.position[particle]);
+        });
+      of_wall  = true;
+      boundary = walls.facets()[sticking].boundary;
+    }
     NodeConstraint<dim> result;
     result.n_fixed = dim;
-    if (cloud.kind[particle] == ParticleKind::wall && step.moves(cloud.part[particle]))
+    if (of_wall && step.moves(boundary))
     {
       result.moves    = true;
-      result.velocity = step.velocity(cloud.part[particle], cloud.position[particle]);
+      result.velocity = step.velocity(boundary, cloud.position[particle]);
     }
     return result;
   }
@@ -188,8 +206,8 @@ namespace Lahar
 
 
   template <int dim>
-  NodeConstraint<dim> SlipCondition<dim>::sliding_at_end(const unsigned int particle,
-                                                         const ParticleCloud<dim> &cloud) const
+  NodeConstraint<dim> WallContact<dim>::sliding_at_end(const unsigned int particle,
+                                                       const ParticleCloud<dim> &cloud) const
   {
     return sliding(particle, cloud, [&](const unsigned int facet) {
       return walls.normal(facet) *
@@ -200,12 +218,11 @@ namespace Lahar
 
 
   template <int dim>
-  NodeConstraint<dim>
-  SlipCondition<dim>::sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,
-                              const std::function<double(const unsigned int)> &speed) const
+  NodeConstraint<dim> WallContact<dim>::sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,
+                                                const std::function<double(const unsigned int)> &speed) const
   {
     NodeConstraint<dim> result;
-    if (!cloud.on_slip_wall(particle))
+    if (!cloud.in_contact(particle))
       return result;
 
     // Gram–Schmidt: the normals first, then coordinate directions to complete the frame.
@@ -226,7 +243,7 @@ namespace Lahar
         ++n_rows;
       }
     };
-    for (const int facet : cloud.slip_facets[particle])
+    for (const int facet : cloud.contact_facets[particle])
       if (facet != ParticleCloud<dim>::no_facet)
       {
         add(walls.normal(facet), parallel_tolerance, speed(facet));
@@ -258,6 +275,6 @@ namespace Lahar
 
 
 
-  template class SlipCondition<2>;
-  template class SlipCondition<3>;
+  template class WallContact<2>;
+  template class WallContact<3>;
 } // namespace Lahar
