@@ -297,7 +297,8 @@ namespace Lahar
         {
           const Tensor<1, dim> shift = aside * walls.normal(facet);
           p -= walls.signed_distance(facet, p) * walls.normal(facet);
-          p += (body.signed_distance(p + shift) < body.signed_distance(p - shift) ? shift : -shift);
+          const double side = body.signed_distance(p + shift) < body.signed_distance(p - shift) ? 1. : -1.;
+          p += side * contact_offset * h(p) * walls.normal(facet);
         }
       const auto is_beyond_wall = [&](const Point<dim> &q) {
         const auto crossed = walls.crossed(q, p, 0., touching * h(p));

@@ -186,12 +186,17 @@ void test_slip()
       cloud.velocity[i] += 0.7 * prescribed.frame[a];
     }
     cloud.position[i] += 0.1 * cloud.velocity[i];
-    check("the particle is on the wall at the end", piston.end.signed_distance(1, cloud.position[i]), 1e-15);
+    check("the particle is on the wall at the end",
+          std::abs(piston.end.signed_distance(1, cloud.position[i])) - contact_offset * cloud.spacing[i],
+          1e-15);
   }
-  check("in the corner it is on the floor, too", cloud.position[1][1], 1e-15);
+  check("in the corner it is on the floor, too",
+        std::abs(cloud.position[1][1]) - contact_offset * cloud.spacing[1], 1e-15);
   condition.update(old_position, cloud);
   check("the wall meets a particle that stands", cloud.in_contact(2));
-  check("and puts it before itself", piston.end.signed_distance(1, cloud.position[2]), 1e-15);
+  check("and puts it before itself",
+        std::abs(piston.end.signed_distance(1, cloud.position[2])) - contact_offset * cloud.spacing[2],
+        1e-15);
   const Tensor<1, 2> normal = piston.end.normal(1);
   check("with its normal velocity", (cloud.velocity[2] - step.velocity_at_end(1, cloud.position[2])) * normal,
         1e-15);

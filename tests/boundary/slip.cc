@@ -87,9 +87,11 @@ void test_2d()
   check_frame<2>("inner particle", slip.constraint(inner, cloud), {});
   check("wall particle is fixed", slip.constraint(wall, cloud).n_fixed == 2 && !cloud.in_contact(wall));
 
+  const double off = contact_offset * h; // on its side of the facet
+
   // Through the floor; near the floor; near the skew wall; along the floor over its rim; into the corner.
   const unsigned int through = add({0.5, 0.02}), close = add({0.7, 0.05}), to_skew = add({3.5, 1.7}),
-                     over = add({1.99, 0.}), into = add({0.3, 0.}), away = add({1.2, 0.05});
+                     over = add({1.99, 0.}), into = add({0.3, off}), away = add({1.2, 0.05});
   cloud.contact_facets[over][0] = cloud.contact_facets[into][0] = 0;
   std::vector<Point<2>> old_position                            = cloud.position;
   cloud.position[through]                                       = {0.52, -0.03};
@@ -101,11 +103,10 @@ void test_2d()
   cloud.velocity[to_skew]                                       = Point<2>(3., 1.);
   cloud.position[over]                                          = {2.01, 0.};
   cloud.velocity[over]                                          = Point<2>(2., 0.);
-  cloud.position[into]                                          = {-0.02, 0.};
+  cloud.position[into]                                          = {-0.02, off};
   cloud.velocity[into]                                          = Point<2>(-3., 0.);
   cloud.position[away]                                          = {1.2, 0.011};
   slip.update(old_position, cloud);
-  const double off = contact_offset * h; // on its side of the facet
   check("through the floor: put on it", (cloud.position[through] - Point<2>(0.52, off)).norm(), 1e-15);
   check("and slides",
         (cloud.velocity[through] - Point<2>(2., 0.)).norm() +
@@ -153,11 +154,13 @@ void test_3d()
   check_frame<3>("3D corner", slip.constraint(2, cloud), {e_x, e_y, e_z});
   check_frame<3>("3D seam of two triangles in a plane", slip.constraint(3, cloud), {e_z});
 
+  const double off                   = contact_offset * 0.1;
   std::vector<Point<3>> old_position = cloud.position;
   cloud.position[0]                  = {0.3, -0.02, 0.};
   cloud.velocity[0]                  = Point<3>(1., -2., 0.);
   slip.update(old_position, cloud);
-  check("3D: slides from the floor into the edge", (cloud.position[0] - Point<3>(0.3, 0., 0.)).norm(), 1e-15);
+  check("3D: slides from the floor into the edge", (cloud.position[0] - Point<3>(0.3, off, off)).norm(),
+        1e-15);
   check("3D: and on along it", (cloud.velocity[0] - Point<3>(1., 0., 0.)).norm(), 1e-15);
   check_frame<3>("3D edge", slip.constraint(0, cloud), {e_y, e_z});
 
