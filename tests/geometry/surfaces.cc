@@ -100,8 +100,9 @@ void test_mending()
   Triangles open = box_surface(40);
   open.erase(open.begin() + 10);
   const Triangles closed = read("open.stl", open, remarks);
+  // Of 19200 triangles, hence the rounding.
   check("a hole is closed", std::abs(area_of(closed) - 6.) + std::abs(std::abs(volume_of(closed)) - 1.),
-        1e-12);
+        1e-11);
   check("and said", says(remarks, "open.stl", "1 holes were closed"));
   open.assign(box.begin() + 2 * 64, box.end());
   check("an open side stays", area_of(read("side.stl", open, remarks)) - 5., 1e-12);
