@@ -15,7 +15,7 @@ PATIENCE = 10.   # s that a run has to begin
 PAUSE = 0.5      # s between two looks at the files
 LEAST_AGE = 3.   # s between two pages; making them takes at most this share of a core:
 LARGEST_SHARE = 0.1
-FAREWELL = 10.   # s that an open page has to fetch the end
+FAREWELL = 60.   # s that an open page, busy as it may be, has to fetch the end
 WAITING = """<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta http-equiv="refresh" content="2">
 <title>Lahar</title><link rel="icon" href="data:,"><body data-state="waiting"><p>{reason}</p></body></html>"""
 FILES = ("parameters.prm", "statistics", "solution.pvd", "log", "lock")
