@@ -2,6 +2,7 @@
 
 #include <lahar/initial/initial_geometry.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -26,8 +27,10 @@ namespace Lahar
       {
         if (&other == &wall)
           continue;
-        // A tank holds the whole boundary.
-        if (!other.holds(samples, touching * h))
+        const bool is_tank = std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+          return other.holds(body->corners(), touching * h);
+        });
+        if (!is_tank)
           for (const Point<dim> &p : samples)
             if (other.encloses(p, touching * h))
               fail(wall, p, "inside boundary " + other.name + ", whose line is closed and so a rigid body",

@@ -34,15 +34,13 @@ def test_inflows(model):
     refused("a hydrograph that goes back in time", ["hydrograph.csv:3:", "'0.5, 2'", "after", "llowed"],
             text=case(river=inlet(left, "Discharge table = hydrograph.csv")),
             prepare=lambda directory: write(directory, "hydrograph.csv", "0, 1\n1, 2\n0.5, 2\n"))
-    refused("a hydrograph that becomes negative", ["'Boundaries/river/inflow/Discharge table'", "-1", "llowed", "zero or above"],
+    refused("a hydrograph that becomes negative", ["'Boundaries/river/inflow/Discharge table'", "-0.004 at", "llowed", "zero or above"],
             text=case(river=inlet(left, "Discharge table = hydrograph.csv")),
             prepare=lambda directory: write(directory, "hydrograph.csv", "0, 1\n0.002, -1\n"))
     refused("two inflows on one face", ["'river'", "'pipe'", "(0 0.05", "one inflow"],
             text=case(river=inlet(left), pipe=inlet("0, 0.05 : 0, 0.2")))
     refused("an inflow inside a wall", ["'river'", "'block'", "(0.3 0.05", "rigid bodies"],
             text=case(river=inlet("0.3, 0.05 : 0.3, 0.15"), block=wall("0.2, 0.02 : 0.4, 0.02 : 0.4, 0.2 : 0.2, 0.2 : 0.2, 0.02")))
-    refused("an inflow before a wall", ["'river'", "'plate'", "0.03 m", "llowed"],
-            text=case(river=inlet(left), plate=wall("0.02, 0.1 : 0.02, 0.2")).replace("0, 0 : 0.146", "0, 0 : 0.0199"))
     refused("an inflow without fluid", ["'river'", "no fluid touches it at (0.3", "llowed"],
             text=case(river=inlet("0.3, 0.05 : 0.3, 0.15")))
     refused("an inflow that is bent", ["'river'", "not plane", "0.02 m", "llowed"],

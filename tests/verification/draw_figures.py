@@ -130,7 +130,7 @@ def draw_free_motion(runs):
 
 
 def draw_inflow(runs):
-    """Meshes of a film and of a tank that fills; what has come into the tank."""
+    """Meshes of a film and of a tank that fills; what has come into the tank (doc/inflow.md)."""
     figure = plt.figure(figsize=(WIDTH, 3.7), layout="constrained")
     rows = figure.add_gridspec(2, 2, height_ratios=[1., 1.9])
     for place, name, time, scale, label in ((rows[0, :], "film", 9., 3.35522 * 0.25, "$u/u_s$"),
@@ -140,7 +140,7 @@ def draw_inflow(runs):
         speed = np.linalg.norm(mesh.at_points("velocity"), axis=1) / scale
         colours = axes.tripcolor(mesh.points[:, 0], mesh.points[:, 1], mesh.triangles, speed, shading="gouraud", rasterized=True)
         axes.triplot(mesh.points[:, 0], mesh.points[:, 1], mesh.triangles, color="white", linewidth=0.25)
-        figure.colorbar(colours, ax=axes, label=label)
+        figure.colorbar(colours, ax=axes, label=label, shrink=0.6)
         axes.set(xlabel="$x$ (m)", ylabel="$y$ (m)", aspect="equal")
     axes.plot([0., 0., 0.5, 0.5], [0.3, 0., 0., 0.3], color=INK, linewidth=0.8)
     right = figure.add_subplot(rows[1, 1])
@@ -148,8 +148,8 @@ def draw_inflow(runs):
     right.plot(statistics["Time (s)"], statistics["Inflow volume (m^dim)"], label="inflow volume")
     right.plot(statistics["Time (s)"], statistics["Fluid volume (m^dim)"] - 0.075, "--", label="fluid volume less the first")
     right.plot([0., 0.3, 0.6, 1., 1.2, 1.5], [0., 0.06, 0.06, 0.02, 0., 0.], color=INK, linewidth=0.8, label="$Q$ (m²/s)")
-    right.set(xlabel="$t$ (s)", ylabel="volume (m²)")
-    right.legend()
+    right.set(xlabel="$t$ (s)", ylabel="volume (m²)", ylim=(-0.003, 0.088))
+    right.legend(loc="upper right")
     return figure
 
 
