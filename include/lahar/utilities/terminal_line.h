@@ -11,9 +11,9 @@ namespace Lahar
 {
   /**
    * The last line on the screen, which rewrites itself while messages pass above it. It is there where the standard
-   * output is a terminal of known width that can erase (TERM is not "dumb"): mpirun gives its ranks one without a width,
-   * whose text may go to a file. It is shorter than the terminal is wide, and silent while the process runs in the
-   * background.
+   * output is a terminal of known width that can erase (TERM is not "dumb"): mpirun gives its ranks one without a width
+   * where its own output goes elsewhere. It is shorter than the terminal is wide, and silent while the process runs in
+   * the background.
    */
   class TerminalLine
   {
