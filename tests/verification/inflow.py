@@ -128,9 +128,9 @@ def check_resumed(check):
 
 
 def check_ranks(check):
-    """Two ranks and one, film and tank, with tight tolerances."""
-    tight = ["Nonlinear solver/Tolerance=1e-9", "End time=0.4"]
-    for name, columns in (("film", ["Outflow volume (m^dim)"]), ("filling", [])):
+    """Two ranks and one, film and tanks, with tight tolerances."""
+    tight = ["Nonlinear solver/Tolerance=1e-9", "End time=0.3"]
+    for name, columns in (("film", ["Outflow volume (m^dim)"]), ("filling", []), ("tank_3d", [])):
         runs = []
         for check.n_ranks in (1, 2):
             runs.append(read_run(check.run(f"inflow/{name}.prm", *tight)))
