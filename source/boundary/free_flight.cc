@@ -66,7 +66,10 @@ namespace Lahar
         if (step.moves(boundary))
           for (const int facet : cloud.contact_facets[i])
             if (facet != ParticleCloud<dim>::no_facet)
-              cloud.position[i] -= walls.signed_distance(facet, cloud.position[i]) * walls.normal(facet);
+              cloud.position[i] += ((step.distance_at_start(facet, old_position[i]) < 0. ? -1. : 1.) *
+                                      contact_offset * cloud.spacing[i] -
+                                    walls.signed_distance(facet, cloud.position[i])) *
+                                   walls.normal(facet);
       }
     }
   }

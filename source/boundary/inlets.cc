@@ -3,7 +3,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <lahar/boundary/inlets.h>
-#include <lahar/boundary/wall_contact.h>
 #include <lahar/geometry/simplex_geometry.h>
 
 #include <algorithm>
@@ -275,6 +274,24 @@ namespace Lahar
 
 
   template <int dim>
+  void Inlets<dim>::put_beside_walls(const unsigned int particle, const unsigned int inner,
+                                     const Walls<dim> &walls, ParticleCloud<dim> &cloud)
+  {
+    // Along all facets at once: their normals are independent of each other. The inner particle may lie on a wall itself.
+    for (unsigned int round = 0; round < 2 * dim; ++round)
+      for (const int facet : cloud.contact_facets[particle])
+        if (facet != ParticleCloud<dim>::no_facet)
+        {
+          const double side = walls.signed_distance(facet, cloud.position[inner]) < 0. ? -1. : 1.;
+          cloud.position[particle] += (side * contact_offset * cloud.spacing[particle] -
+                                       walls.signed_distance(facet, cloud.position[particle])) *
+                                      walls.normal(facet);
+        }
+  }
+
+
+
+  template <int dim>
   unsigned int Inlets<dim>::renew(const Walls<dim> &walls, const MPI_Comm &communicator,
                                   ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh) const
   {
@@ -339,11 +356,11 @@ namespace Lahar
       cloud.reaction[i] = Tensor<1, dim>();
       if (faces_of[i].empty())
         cloud.owed_volume[i] -= from.area[k] * cloud.spacing[i];
+      else
+        put_beside_walls(i, faces[faces_of[i][0]].inner, walls, cloud);
     }
     cloud.next_number = first_number + numbers_of_all.size();
     mesh.reinit(cloud, cells);
-    const WallStep<dim> standing(walls);
-    WallContact<dim>(standing).initialize(cloud);
     return numbers_of_all.size();
   }
 

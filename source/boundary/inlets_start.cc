@@ -76,12 +76,13 @@ namespace Lahar
           inlet.places.insert(cloud.position[i]);
           inlet.spacing.push_back(cloud.spacing[i]);
           cloud.contact_facets[i] = touched_facets(walls, cloud.position[i], cloud.spacing[i]);
-          // What lies on a slip wall that does not lead along the inflow is the rim of a hole in it.
-          const bool at_rim = std::any_of(cloud.contact_facets[i].begin(), cloud.contact_facets[i].end(),
-                                          [&](const int facet) {
-                                            return facet != ParticleCloud<dim>::no_facet &&
-                                                   std::abs(walls.normal(facet) * inlet.direction) > 0.1;
-                                          });
+          // What lies on a wall to which fluid sticks stays there, and what lies on one that does not lead along the inflow:
+          // the rim of a hole in it.
+          const bool at_rim =
+            std::any_of(cloud.contact_facets[i].begin(), cloud.contact_facets[i].end(), [&](const int facet) {
+              return facet != ParticleCloud<dim>::no_facet &&
+                     (walls.facets()[facet].sticks || std::abs(walls.normal(facet) * inlet.direction) > 1e-3);
+            });
           inlet.factor.push_back(at_rim ? 0. : inlet.source.law->profile(in_space<dim>(cloud.position[i])));
         }
       if (inlet.homes.empty())

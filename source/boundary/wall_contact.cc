@@ -30,9 +30,9 @@ namespace Lahar
       return;
     // A facet in the plane of those in contact adds no direction; in 3D, where facets of one plane meet, it would take
     // the slot of one that does.
-    const unsigned int n_fixed = sliding_at_end(particle, cloud).n_fixed;
-    *free_slot                 = facet;
-    if (sliding_at_end(particle, cloud).n_fixed == n_fixed)
+    const NodeConstraint<dim> before = sliding_at_end(particle, cloud);
+    *free_slot                       = facet;
+    if (sliding_at_end(particle, cloud).n_fixed == before.n_fixed)
     {
       *free_slot = ParticleCloud<dim>::no_facet;
       return;
@@ -40,9 +40,8 @@ namespace Lahar
 
     // Move the particle along the directions that its other facets leave free.
     Tensor<1, dim> direction = walls.normal(facet);
-    for (const int other : slots)
-      if (other != ParticleCloud<dim>::no_facet && other != static_cast<int>(facet))
-        direction -= (direction * walls.normal(other)) * walls.normal(other);
+    for (unsigned int a = 0; a < before.n_fixed; ++a)
+      direction -= (walls.normal(facet) * before.frame[a]) * before.frame[a];
     const double slope = direction * walls.normal(facet);
     if (slope > parallel_tolerance * parallel_tolerance)
       cloud.position[particle] += (side * contact_offset * cloud.spacing[particle] -
@@ -71,15 +70,41 @@ namespace Lahar
 
 
   template <int dim>
+  bool WallContact<dim>::goes_on(const int from, const unsigned int to, const int side,
+                                 const Point<dim> &position) const
+  {
+    return from != ParticleCloud<dim>::no_facet &&
+           side_of(from, position) * side * (walls.normal(from) * walls.normal(to)) > smooth_joint;
+  }
+
+
+
+  template <int dim>
+  void WallContact<dim>::attach_near(const unsigned int particle, const double distance,
+                                     ParticleCloud<dim> &cloud) const
+  {
+    const Point<dim> &position = cloud.position[particle];
+    const auto &slots          = cloud.contact_facets[particle];
+    for (const unsigned int facet : walls.near(position, distance))
+      if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, position)) < distance &&
+          walls.is_above(facet, position, 1e-3 * cloud.spacing[particle]) &&
+          !walls.is_hidden(facet, position))
+      {
+        const int side = side_of(facet, position);
+        if (std::none_of(slots.begin(), slots.end(),
+                         [&](const int from) { return goes_on(from, facet, side, position); }))
+          attach(particle, facet, side, cloud);
+      }
+  }
+
+
+
+  template <int dim>
   void WallContact<dim>::initialize(ParticleCloud<dim> &cloud) const
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
-        for (const unsigned int facet : walls.near(cloud.position[i], 1e-3 * cloud.spacing[i]))
-          if (walls.facets()[facet].lands &&
-              std::abs(walls.signed_distance(facet, cloud.position[i])) < 1e-3 * cloud.spacing[i] &&
-              walls.is_above(facet, cloud.position[i], 1e-3 * cloud.spacing[i]))
-            attach(i, facet, side_of(facet, cloud.position[i]), cloud);
+        attach_near(i, 1e-3 * cloud.spacing[i], cloud);
   }
 
 
@@ -95,16 +120,12 @@ namespace Lahar
 
       auto &slots = cloud.contact_facets[i];
       for (int &facet : slots)
-        if (facet != ParticleCloud<dim>::no_facet && !walls.is_above(facet, cloud.position[i], 1e-3 * h))
+        if (facet != ParticleCloud<dim>::no_facet &&
+            (!walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
+             std::abs(walls.signed_distance(facet, cloud.position[i])) > 1e-3 * h))
           facet = ParticleCloud<dim>::no_facet;
       std::sort(slots.begin(), slots.end(), std::greater<int>());
 
-      // Along a smooth hollow the particle leaves the facet behind for the one that it comes to.
-      const auto goes_on = [&](const int from, const unsigned int to, const int side) {
-        return from != ParticleCloud<dim>::no_facet &&
-               side_of(from, cloud.position[i]) * side * (walls.normal(from) * walls.normal(to)) >
-                 smooth_joint;
-      };
       // The first facet on its way stops it there; from then on it may meet others.
       std::vector<unsigned int> met;
       for (bool any = true; any;)
@@ -118,7 +139,7 @@ namespace Lahar
           {
             const double before = std::abs(step.distance_at_start(facet, old_position[i])),
                          after  = std::abs(walls.signed_distance(facet, cloud.position[i]));
-            if (const double part = before / (before + after); part < nearest)
+            if (const double part = before > 0. ? before / (before + after) : 0.; part < nearest)
             {
               nearest = part;
               next    = facet;
@@ -129,22 +150,14 @@ namespace Lahar
           break;
         met.push_back(next);
         const int side = step.distance_at_start(next, old_position[i]) < 0. ? -1 : 1;
+        // Along a smooth hollow it leaves the facet behind for the one that it comes to.
         for (int &from : slots)
-          if (goes_on(from, next, side))
+          if (goes_on(from, next, side, cloud.position[i]))
             from = ParticleCloud<dim>::no_facet;
         std::sort(slots.begin(), slots.end(), std::greater<int>());
         attach(i, next, side, cloud);
       }
-      for (const unsigned int facet : walls.near(cloud.position[i], contact_distance * h))
-        if (walls.facets()[facet].lands &&
-            std::abs(walls.signed_distance(facet, cloud.position[i])) < contact_distance * h &&
-            walls.is_above(facet, cloud.position[i], 1e-3 * h) && !walls.is_hidden(facet, cloud.position[i]))
-        {
-          const int side = side_of(facet, cloud.position[i]);
-          if (std::none_of(slots.begin(), slots.end(),
-                           [&](const int from) { return goes_on(from, facet, side); }))
-            attach(i, facet, side, cloud);
-        }
+      attach_near(i, contact_distance * h, cloud);
     }
   }
 
@@ -185,11 +198,19 @@ namespace Lahar
     bool of_wall          = cloud.kind[particle] == ParticleKind::wall;
     if (cloud.kind[particle] == ParticleKind::fluid)
     {
+      const auto speed = [&](const unsigned int facet) {
+        return step.normal_velocity(facet, cloud.position[particle]);
+      };
       const int sticking = sticking_facet(particle, cloud);
       if (sticking == ParticleCloud<dim>::no_facet)
-        return sliding(particle, cloud, [&](const unsigned int facet) {
-          return step.normal_velocity(facet, cloud.position[particle]);
-        });
+        return sliding(particle, cloud, speed);
+      // What another wall pushes along the one that it sticks to slides on both.
+      const Tensor<1, dim> v = step.velocity(walls.facets()[sticking].boundary, cloud.position[particle]);
+      for (const int facet : cloud.contact_facets[particle])
+        if (facet != ParticleCloud<dim>::no_facet)
+          if (const double along = walls.normal(facet) * v;
+              std::abs(along - speed(facet)) > 1e-6 * (std::abs(along) + std::abs(speed(facet))))
+            return sliding(particle, cloud, speed);
       of_wall  = true;
       boundary = walls.facets()[sticking].boundary;
     }

@@ -115,8 +115,9 @@ namespace Lahar
   template <int dim>
   bool Walls<dim>::is_hidden(const unsigned int facet, const Point<dim> &point) const
   {
+    // Not quite to the foot: of facets that lie upon each other none hides the other.
     const std::vector<unsigned int> between =
-      crossed(point, point - signed_distance(facet, point) * normals[facet], 0., 0.);
+      crossed(point, point - (1. - 1e-3) * signed_distance(facet, point) * normals[facet], 0., 0.);
     return std::any_of(between.begin(), between.end(),
                        [&](const unsigned int other) { return other != facet && all_facets[other].lands; });
   }

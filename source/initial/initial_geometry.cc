@@ -100,6 +100,8 @@ namespace Lahar
             "fluid " + body->name());
     for (const WallShape<dim> &wall : wall_shapes)
     {
+      if (wall.lands)
+        continue; // particles on its sharp edges at most
       std::vector<Point<dim>> corners;
       for (const WallFacet<dim> &facet : wall.facets())
         corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
@@ -291,14 +293,19 @@ namespace Lahar
       std::sort(facets.begin(), facets.end(), [&walls, p](const unsigned int f, const unsigned int g) {
         return std::abs(walls.signed_distance(f, p)) < std::abs(walls.signed_distance(g, p));
       });
+      std::vector<std::pair<unsigned int, double>> sides;
       for (const unsigned int facet : facets)
         if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, p)) < reach &&
             walls.is_above(facet, p, touching * h(p)) && !walls.is_hidden(facet, p))
         {
           const Tensor<1, dim> shift = aside * walls.normal(facet);
           p -= walls.signed_distance(facet, p) * walls.normal(facet);
-          const double side = body.signed_distance(p + shift) < body.signed_distance(p - shift) ? 1. : -1.;
-          p += side * contact_offset * h(p) * walls.normal(facet);
+          sides.emplace_back(facet,
+                             body.signed_distance(p + shift) < body.signed_distance(p - shift) ? 1. : -1.);
+          // In a corner that is no right angle the one wall moves it off the others.
+          for (unsigned int round = 0; round < 2 * dim; ++round)
+            for (const auto &[other, side] : sides)
+              p += (side * contact_offset * h(p) - walls.signed_distance(other, p)) * walls.normal(other);
         }
       const auto is_beyond_wall = [&](const Point<dim> &q) {
         const auto crossed = walls.crossed(q, p, 0., touching * h(p));

@@ -9,7 +9,7 @@ namespace Lahar
 {
   /**
    * Mean force of the fluid on the walls inside a box over the last step, N (N/m in 2D): the sum of the reactions of the
-   * discrete momentum equation at the wall's particles and, for slip walls, at the particles that slide on it, see
+   * discrete momentum equation at the wall's particles and at those of the fluid that lie on it, see
    * TimeIntegration::mean_force().
    */
   template <int dim>

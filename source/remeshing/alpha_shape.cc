@@ -100,30 +100,38 @@ namespace Lahar
                       const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                       const bool only_without_particles = false, const double uneven = 1e-3)
     {
-      std::vector<Tensor<1, dim>>
-        towards_a; // normals of facets without particles that an edge passes through
+      // Normals of facets without particles that an edge passes through, and those of them that are not close to their rim.
+      std::vector<Tensor<1, dim>> towards_a, must_end;
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
         {
           towards_a.clear();
-          for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., -1e-3 * h))
+          must_end.clear();
+          for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., 1e-3 * h))
           {
-            const bool lands     = walls.facets()[facet].lands;
-            const auto is_beside = [&](const unsigned int c) {
-              return std::abs(walls.signed_distance(facet, corners[c])) >
-                     (lands && cloud.kind[simplex[c]] == ParticleKind::fluid ? 1e-2 * contact_offset
-                                                                             : uneven) *
-                       cloud.spacing[simplex[c]];
+            const double height_a = walls.signed_distance(facet, corners[a]),
+                         height_b = walls.signed_distance(facet, corners[b]);
+            const bool lands      = walls.facets()[facet].lands;
+            const auto is_beside  = [&](const double height, const unsigned int c) {
+              return std::abs(height) > (lands && cloud.kind[simplex[c]] == ParticleKind::fluid
+                                            ? 1e-2 * contact_offset
+                                            : uneven) *
+                                          cloud.spacing[simplex[c]];
             };
-            if (!is_beside(a) || !is_beside(b))
+            if (!is_beside(height_a, a) || !is_beside(height_b, b))
               continue;
+            const Point<dim> hit = corners[a] + height_a / (height_a - height_b) * (corners[b] - corners[a]);
+            const bool inside    = walls.is_above(facet, hit, -1e-3 * h);
             if (lands)
-              towards_a.push_back(walls.signed_distance(facet, corners[a]) > 0. ? walls.normal(facet)
-                                                                                : -walls.normal(facet));
-            else if (!only_without_particles)
+            {
+              towards_a.push_back(height_a > 0. ? walls.normal(facet) : -walls.normal(facet));
+              if (inside)
+                must_end.push_back(towards_a.back());
+            }
+            else if (inside && !only_without_particles)
               return true;
           }
-          for (const Tensor<1, dim> &normal : towards_a)
+          for (const Tensor<1, dim> &normal : must_end)
             if (std::none_of(towards_a.begin(), towards_a.end(), [&normal](const Tensor<1, dim> &other) {
                   return normal * other < -smooth_joint;
                 }))

@@ -26,7 +26,20 @@ namespace Lahar
     const unsigned int n = edges.size();
     std::vector<bool> harmful(n, false), near_surface(n, false), on_surface(n, false);
     if (dim == 2)
+    {
+      // The chord of a wall that bulges: its middle lies in the wall.
+      for (unsigned int e = 0; e < n; ++e)
+        for (const unsigned int i : {edges[e].first, edges[e].second})
+          if (cloud.kind[i] == ParticleKind::fluid)
+          {
+            const Point<dim> middle = cloud.position[edges[e].first] +
+                                      0.5 *
+                                        (cloud.position[edges[e].second] - cloud.position[edges[e].first]);
+            for (const unsigned int facet : walls.crossed(cloud.position[i], middle, 0., 0.))
+              harmful[e] = harmful[e] || walls.facets()[facet].lands;
+          }
       return harmful;
+    }
     std::vector<std::vector<unsigned int>> edges_at(cloud.size());
     std::vector<Point<dim>> middle;
     for (const auto &[a, b] : edges)

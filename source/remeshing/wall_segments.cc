@@ -31,19 +31,38 @@ namespace Lahar
             (corners[1] - corners[0]) * (cloud.position[i] - corners[0]), i);
         }
     std::vector<std::array<unsigned int, 2>> segments;
+    const auto add = [&](const unsigned int i, const unsigned int j) {
+      const double length = cloud.position[i].distance(cloud.position[j]);
+      if (length > 0. && length < reach &&
+          walls.crossed(cloud.position[i], cloud.position[j], 0., 0.).empty())
+        segments.push_back({{i, j}});
+    };
     for (auto &sides : rows)
       for (auto &row : sides)
       {
         std::sort(row.begin(), row.end());
         for (unsigned int k = 0; k + 1 < row.size(); ++k)
-        {
-          const unsigned int i = row[k].second, j = row[k + 1].second;
-          const double length = cloud.position[i].distance(cloud.position[j]);
-          if (length > 0. && length < reach &&
-              walls.crossed(cloud.position[i], cloud.position[j], 0., 0.).empty())
-            segments.push_back({{i, j}});
-        }
+          add(row[k].second, row[k + 1].second);
       }
+    // Over the joints of facets: from the last particle on the one to the first on the other, on the same side of both.
+    for (unsigned int f = 0; f < n_facets; ++f)
+      if (is_wet[f][0] && is_wet[f][1])
+        for (unsigned int end = 0; end < 2; ++end)
+        {
+          const Point<2> &joint  = walls.facets()[f].corners[end];
+          const double tolerance = 1e-9 * walls.facets()[f].corners[0].distance(walls.facets()[f].corners[1]);
+          for (const unsigned int g : walls.near(joint, tolerance))
+            for (unsigned int other_end = 0; other_end < 2; ++other_end)
+              if (g > f && joint.distance(walls.facets()[g].corners[other_end]) < tolerance)
+                for (unsigned int side = 0; side < 2; ++side)
+                {
+                  const auto &here  = rows[f][side];
+                  const auto &there = rows[g][end == other_end ? 1 - side : side];
+                  if (!here.empty() && !there.empty())
+                    add((end == 0 ? here.front() : here.back()).second,
+                        (other_end == 0 ? there.front() : there.back()).second);
+                }
+        }
     return segments;
   }
 } // namespace Lahar

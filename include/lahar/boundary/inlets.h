@@ -31,8 +31,7 @@ namespace Lahar
    * that is given, v_k = Q φ_k / Σ A φ. It does not change when particles are renewed, nor when the mesh joins others of
    * them by faces.
    *
-   * Homes at the rim of a hole in a slip wall stay where they are, as those at the rim of a wall without slip, which are
-   * the wall's own particles. A particle at a home without fluid before it becomes a drop, which carries its volume A_k h
+   * Homes on walls to which fluid sticks, and at the rim of a hole in another one, stay where they are. A particle at a home without fluid before it becomes a drop, which carries its volume A_k h
    * until it lands, A_k its share of the first mesh.
    */
   template <int dim>
@@ -151,9 +150,13 @@ namespace Lahar
 
     void check_space(const Walls<dim> &walls) const;
 
-    /// Slip facets on which a particle lies.
+    /// Facets on which fluid lands and a particle lies.
     static std::array<int, dim> touched_facets(const Walls<dim> &walls, const Point<dim> &position,
                                                const double spacing);
+
+    /// Put a particle that becomes fluid off the facets that it touches, on the side of an @p inner particle.
+    static void put_beside_walls(const unsigned int particle, const unsigned int inner,
+                                 const Walls<dim> &walls, ParticleCloud<dim> &cloud);
 
     std::vector<Inlet> inlets;
     std::vector<unsigned int> inlet_of; ///< by boundary

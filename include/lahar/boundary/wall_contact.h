@@ -52,6 +52,12 @@ namespace Lahar
     void attach(const unsigned int particle, const unsigned int facet, const int side,
                 ParticleCloud<dim> &cloud) const;
 
+    /// Put a fluid particle in contact with all facets nearer than @p distance (m) that it sees, on the side where it is.
+    void attach_near(const unsigned int particle, const double distance, ParticleCloud<dim> &cloud) const;
+
+    /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
+    bool goes_on(const int from, const unsigned int to, const int side, const Point<dim> &position) const;
+
     /// On which side of a facet a point is at the end of the step.
     int side_of(const unsigned int facet, const Point<dim> &point) const;
 

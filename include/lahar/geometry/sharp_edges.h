@@ -16,7 +16,7 @@ namespace Lahar
    * points on the edges and rims of surfaces at the distance h. An edge is sharp where no other facet goes on from it
    * within 45 degrees, and where it does not lie in the middle of another facet.
    *
-   * @return the points, each with the number of its boundary; corners in which facets meet come once for each.
+   * @return the points, half a mesh size apart at least, each with the number of its boundary.
    */
   template <int dim>
   std::vector<std::pair<Point<dim>, unsigned int>> points_on_sharp_edges(const Walls<dim> &walls,

@@ -24,13 +24,15 @@ namespace Lahar
   /**
    * The fluids of a case at the start, and its rigid boundaries.
    *
-   * Fluids are bodies (FluidShape), boundaries walls (BoundaryShape). Bodies are filled
-   * with particles at the mesh size, walls without slip carry particles at the same distance. Where a body touches a
-   * wall, the wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a
-   * level surface meets the wall at its height. Of a mesh of the plane these are the ends of the rows of its edges along
-   * the wall. What lies within 0.1 h of a wall without slip or of a solid touches it: no fluid particle stands there, the
-   * wall's particles are the fluid's boundary, whatever the distance of the fluid's own points is. Where a wall passes
-   * along a solid's contour, it has no particles; the first ones beside the solid stand at their usual distance from it.
+   * Fluids are bodies (FluidShape), boundaries walls (BoundaryShape). Bodies are filled with particles at the mesh
+   * size; what lies within 0.1 h of a wall is put onto it, a hair off it on the body's side (contact_offset). Sharp
+   * edges of walls to which fluid sticks carry particles (points_on_sharp_edges()). What lies within 0.1 h of a solid
+   * or of a wall that carries particles all over touches it: no fluid particle stands there, the wall's particles are
+   * the fluid's boundary, whatever the distance of the fluid's own points is. Where a body touches such a wall, the
+   * wall's particles are the body's: in the plane its corners, in space all its points on the wall; so a level surface
+   * meets the wall at its height. Of a mesh of the plane these are the ends of the rows of its edges along the wall.
+   * Where a wall passes along a solid's contour, it has no particles; the first ones beside the solid stand at their
+   * usual distance from it.
    */
   template <int dim>
   class InitialGeometry

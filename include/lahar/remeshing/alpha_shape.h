@@ -15,7 +15,8 @@ namespace Lahar
   /**
    * Decides which Delaunay simplices are fluid.
    *
-   * Always dropped: simplices of wall particles only, simplices without volume, simplices with an edge through a wall.
+   * Always dropped: simplices of wall particles only, simplices without volume, simplices with an edge through a wall
+   * but for chords of smooth bulges (through a wall that carries particles: outside the old domain only).
    *
    * `plain`: the others are fluid if R < α h; R circumradius, h mean spacing of the corners (Franci & Zhang 2018).
    *
