@@ -31,8 +31,9 @@ namespace Lahar
    * that is given, v_k = Q φ_k / Σ A φ. It does not change when particles are renewed, nor when the mesh joins others of
    * them by faces.
    *
-   * Homes on walls to which fluid sticks, and at the rim of a hole in another one, stay where they are. A particle at a home without fluid before it becomes a drop, which carries its volume A_k h
-   * until it lands, A_k its share of the first mesh.
+   * Homes on walls to which fluid sticks, and at the rim of a hole in another one, stay where they are. A particle at a
+   * home without fluid before it becomes a drop, which carries its volume A_k h until it lands, A_k its share of the
+   * first mesh.
    */
   template <int dim>
   class Inlets
