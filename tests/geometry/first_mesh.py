@@ -203,9 +203,9 @@ def partitions(parent):
         if columns:
             force = columns["partition force x (N)"]
             check("  its force", max(abs(f - 698.9625) for f in force) < 1e-6, force)
-    directory = new_case(parent, "partition_without", BASIN % ("0.5", "0.5, 0 : 0.5, 0.6"))
+    directory = new_case(parent, "partition_without", (BASIN % ("0.5", "0.5, 0 : 0.5, 0.6")).replace("no slip", "wall particles"))
     result = run(directory, "--check")
-    check("a partition without thickness is reported", result.returncode == 0 and
+    check("a partition without thickness whose particles both sides share is reported", result.returncode == 0 and
           "both sides of a wall" in result.stdout and "(0.5 " in result.stdout, result.stdout, result.stderr)
 
 

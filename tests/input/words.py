@@ -136,7 +136,7 @@ def test_names():
         mesh = file.read()
     case = mesh_case("../meshes/column.msh", "fluid", "walls") + "set Output directory = out\nset End time = 1e-3\n"
     files = {"cases/case.prm": case, "meshes/column.msh": mesh}
-    accepted("a mesh beside the case", files, "cases/case.prm", parts=["Fluid cells *97"])
+    accepted("a mesh beside the case", files, "cases/case.prm", parts=["Fluid cells *98"])
     result = accepted("a mesh beside the case, from elsewhere", files, "../cases/case.prm", folder="runs", options=())
     names = re.findall(r"set File *= (\S+)", getattr(result, "parameters", ""))
     check("parameters.prm has the whole name of both parts", len(names) == 2 and all(
@@ -164,7 +164,7 @@ def test_names():
 def test_meshes():
     file = os.path.join(GEOMETRY, "groups_41.msh")
     for groups in [('"water, at rest"', "floor, left wall"), ("5", "7, 3"), (' fluid ', ' 7 , "left wall"')]:
-        accepted("groups %s; %s" % groups, {"case.prm": mesh_case(file, *groups)}, parts=["Fluid cells *97"])
+        accepted("groups %s; %s" % groups, {"case.prm": mesh_case(file, *groups)}, parts=["Fluid cells *98"])
     for group in ('"water, at rest', '"fluid" "water"'):
         refused("groups " + group, mesh_case(file, group, "walls"), "'Fluids/fluid/mesh/Groups'", "double quotes")
     refused("an open wall through a gmsh fluid", SIZE + parts("Fluids", {"fluid": mesh(file, "fluid")}) + parts(
@@ -180,7 +180,7 @@ def test_meshes():
         in_mm = re.sub(r"(?m)^(\S+) (\S+) 0$", lambda m: "%.15g %.15g 0" % (1e3 * float(m[1]), 1e3 * float(m[2])),
                        original.read())
     files = {"case.prm": mesh_case("mm.msh", "fluid", "walls", 1e-3), "mm.msh": in_mm}
-    accepted("a mesh in mm", files, parts=["Fluid cells *97", r"Fluid volume *0\.0422"])
+    accepted("a mesh in mm", files, parts=["Fluid cells *98", r"Fluid volume *0\.042632"])
     refused("a mesh in mm without its scale", dict(files, **{"case.prm": mesh_case("mm.msh", "fluid", "walls")}),
             "'Fluids/fluid/mesh/Scale' is 1,", "1e-3 for mm", "'Mesh size' is 0.03")
     floor = TOP + COLUMN + parts("Boundaries", {"walls": mesh("mm.msh", "floor")})
