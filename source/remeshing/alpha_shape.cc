@@ -121,7 +121,8 @@ namespace Lahar
             if (!is_beside(height_a, a) || !is_beside(height_b, b))
               continue;
             const Point<dim> hit = corners[a] + height_a / (height_a - height_b) * (corners[b] - corners[a]);
-            const bool inside    = walls.is_above(facet, hit, -1e-3 * h);
+            // At the foot of a wall on another one, particles in contact with both pass just inside its rim.
+            const bool inside = walls.is_above(facet, hit, (lands ? -0.1 * contact_offset : -1e-3) * h);
             if (lands)
             {
               towards_a.push_back(height_a > 0. ? walls.normal(facet) : -walls.normal(facet));
