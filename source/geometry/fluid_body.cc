@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/fluid_body.h>
+#include <lahar/geometry/wall_shape.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Lahar
 {
@@ -15,6 +17,32 @@ namespace Lahar
     for (unsigned int d = 0; d < dim; ++d)
       n *= (b.upper[d] - b.lower[d]) / h + 1.;
     return n;
+  }
+
+
+
+  template <int dim>
+  Point<dim> FluidBody<dim>::onto_walls(Point<dim> p, const Walls<dim> &walls, const double h,
+                                        const double reach) const
+  {
+    std::vector<unsigned int> facets = walls.near(p, reach);
+    std::sort(facets.begin(), facets.end(), [&walls, p](const unsigned int f, const unsigned int g) {
+      return std::abs(walls.signed_distance(f, p)) < std::abs(walls.signed_distance(g, p));
+    });
+    std::vector<std::pair<unsigned int, double>> sides;
+    for (const unsigned int facet : facets)
+      if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, p)) < reach &&
+          walls.is_above(facet, p, touching * h) && !walls.is_hidden(facet, p))
+      {
+        const Tensor<1, dim> aside = 0.25 * touching * h * walls.normal(facet);
+        p -= walls.signed_distance(facet, p) * walls.normal(facet);
+        sides.emplace_back(facet, signed_distance(p + aside) < signed_distance(p - aside) ? 1. : -1.);
+        // In a corner that is no right angle the one wall moves it off the others.
+        for (unsigned int round = 0; round < 2 * dim; ++round)
+          for (const auto &[other, side] : sides)
+            p += (side * contact_offset * h - walls.signed_distance(other, p)) * walls.normal(other);
+      }
+    return p;
   }
 
 

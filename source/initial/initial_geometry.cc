@@ -287,30 +287,11 @@ namespace Lahar
     std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
     const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
       const FluidBody<dim> &body = *bodies[b];
-      // What touches a wall without particles goes onto it, to the body's side.
-      const double aside = 0.25 * touching * h(p), reach = contact * h(p) + body.roughness();
-      std::vector<unsigned int> facets = walls.near(p, reach);
-      std::sort(facets.begin(), facets.end(), [&walls, p](const unsigned int f, const unsigned int g) {
-        return std::abs(walls.signed_distance(f, p)) < std::abs(walls.signed_distance(g, p));
-      });
-      std::vector<std::pair<unsigned int, double>> sides;
-      for (const unsigned int facet : facets)
-        if (walls.facets()[facet].lands && std::abs(walls.signed_distance(facet, p)) < reach &&
-            walls.is_above(facet, p, touching * h(p)) && !walls.is_hidden(facet, p))
-        {
-          const Tensor<1, dim> shift = aside * walls.normal(facet);
-          p -= walls.signed_distance(facet, p) * walls.normal(facet);
-          sides.emplace_back(facet,
-                             body.signed_distance(p + shift) < body.signed_distance(p - shift) ? 1. : -1.);
-          // In a corner that is no right angle the one wall moves it off the others.
-          for (unsigned int round = 0; round < 2 * dim; ++round)
-            for (const auto &[other, side] : sides)
-              p += (side * contact_offset * h(p) - walls.signed_distance(other, p)) * walls.normal(other);
-        }
-      const auto is_beyond_wall = [&](const Point<dim> &q) {
+      p                          = body.onto_walls(p, walls, h(p), contact * h(p) + body.roughness());
+      const auto is_beyond_wall  = [&](const Point<dim> &q) {
         const auto crossed = walls.crossed(q, p, 0., touching * h(p));
         return std::any_of(crossed.begin(), crossed.end(),
-                           [&](const unsigned int facet) { return walls.facets()[facet].lands; });
+                            [&](const unsigned int facet) { return walls.facets()[facet].lands; });
       };
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;

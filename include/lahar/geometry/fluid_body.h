@@ -5,6 +5,7 @@
 
 #include <lahar/geometry/box.h>
 #include <lahar/geometry/mesh_size.h>
+#include <lahar/geometry/walls.h>
 
 #include <array>
 #include <string>
@@ -65,6 +66,13 @@ namespace Lahar
     {
       return {};
     }
+
+    /**
+     * A particle of the body that lies nearer than @p reach (m) to facets on which fluid lands is put onto them: off them
+     * by contact_offset times its spacing @p h, on the body's side. Other facets do not lie between it and its place.
+     */
+    Point<dim> onto_walls(Point<dim> particle, const Walls<dim> &walls, const double h,
+                          const double reach) const;
 
   private:
     std::string body_name;
