@@ -20,7 +20,7 @@ import numpy as np  # noqa: E402
 from figure_style import save, use_style  # noqa: E402
 from lahar_output import OutputError, nearest_snapshots, read_pvd, read_vtu, run_script  # noqa: E402
 
-DIVISIONS = 4  # a tetrahedron's volume goes to the points with shares that are odd eighths
+DIVISIONS = 4  # of an edge; a tetrahedron's volume goes in equal parts to 20 points inside it
 
 
 def parse_arguments():
@@ -32,14 +32,20 @@ def parse_arguments():
     parser.add_argument("--contours", type=float, help="height between contour lines, m (default: about ten lines)")
     parser.add_argument("--peak", type=pathlib.Path, help="write the largest depth over all snapshots as ESRI ASCII grid")
     parser.add_argument("--origin", type=float, nargs=2, default=(0., 0.), help="x and y that the case subtracts from its map")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    for name in ("cell", "contours"):
+        value = getattr(arguments, name)
+        if value is not None and not 0. < value < float("inf"):
+            raise OutputError(f"--{name} is {value:g}; allowed: a length above 0, in m")
+    return arguments
 
 
 def shares():
-    """Points inside a tetrahedron, all of one weight, as shares of its corners."""
-    steps = (np.arange(DIVISIONS) + 0.25) / (DIVISIONS + 0.5)
-    points = np.array([(a, b, c) for a in steps for b in steps for c in steps if a + b + c < 1.])
-    return np.column_stack([points, 1. - points.sum(axis=1)])
+    """Points inside a tetrahedron, all of one weight, as shares of its corners; their mean is the centroid."""
+    whole = range(DIVISIONS)
+    steps = np.array([(i, j, k, DIVISIONS - 1 - i - j - k) for i in whole for j in whole for k in whole
+                      if i + j + k < DIVISIONS])
+    return (steps + 0.25) / DIVISIONS
 
 
 class DepthMap:
@@ -75,10 +81,18 @@ class DepthMap:
                 file.write(" ".join(f"{value:.4g}" for value in row) + "\n")
 
 
+def contour_levels(lowest, highest, step):
+    """Heights of contour lines, multiples of the step, without one of a tenth of the range; none on flat ground."""
+    step = step or float(f"{(highest - lowest) / 10.:.1g}")
+    return np.arange(np.ceil(lowest / step), highest / step) * step if step > 0. else np.zeros(0)
+
+
 def main():
     arguments = parse_arguments()
     use_style()
     snapshots = read_pvd(arguments.output / "solution.pvd")
+    if not snapshots:
+        raise OutputError(f"{arguments.output}/solution.pvd: no snapshot; allowed: a run with one snapshot or more")
     times = arguments.times or [snapshots[0][0], snapshots[len(snapshots) // 2][0], snapshots[-1][0]]
     walls_path = arguments.output / "walls.vtu"
     if not walls_path.is_file():
@@ -89,17 +103,19 @@ def main():
 
     chosen = nearest_snapshots(snapshots, times)
     depths = [grid.depth(read_vtu(path, 3)) for _, path in chosen]
-    deepest = max(np.nanmax(depth) for depth in depths)
-    step = arguments.contours or float(f"{(upper - lower)[2] / 10.:.1g}")
-    levels = np.arange(np.ceil(lower[2] / step), upper[2] / step) * step
+    deepest = np.fmax.reduce(depths, axis=None)
+    if not deepest > 0.:
+        raise OutputError(f"{arguments.output}: no fluid above the ground at these times; allowed: times with some")
+    levels = contour_levels(lower[2], upper[2], arguments.contours)
     width = 2.6
     size = (upper - lower)[:2]
     figure, axes = plt.subplots(1, len(chosen), figsize=(width * len(chosen) + 0.9, width * size[1] / size[0] + 0.5),
                                 sharey=True, squeeze=False, constrained_layout=True)
     for axis, (time, _), depth in zip(axes[0], chosen, depths):
-        lines = axis.tricontour(ground.points[:, 0], ground.points[:, 1], ground.cells, ground.points[:, 2], levels=levels,
-                                colors="0.55", linewidths=0.5)
-        axis.clabel(lines, lines.levels[::4], fontsize=6, fmt="%g")
+        if len(levels) > 0:
+            lines = axis.tricontour(ground.points[:, 0], ground.points[:, 1], ground.cells, ground.points[:, 2],
+                                    levels=levels, colors="0.55", linewidths=0.5)
+            axis.clabel(lines, lines.levels[::4], fontsize=6, fmt="%g")
         image = axis.imshow(depth, origin="lower", extent=grid.extent(), cmap="YlOrBr", vmin=0., vmax=deepest, alpha=0.85)
         axis.set_aspect("equal")
         axis.set_title(f"t = {time:.3g} s")

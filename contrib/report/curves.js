@@ -63,17 +63,30 @@ async function drawFrame(div, report, player)
   div.dataset.drawn = plot.title;
 }
 
-// Calls draw(div) for each element once, as soon as it is near the window or the page is printed.
+// The elements that are to be drawn, with the functions that draw them; one observer for all of them.
+const undrawn = new Map();
+const undrawnObserver = new IntersectionObserver(
+  all => all.filter(entry => entry.isIntersecting).forEach(entry => drawNow(entry.target)), {rootMargin: "400px"});
+window.addEventListener("beforeprint", () => [...undrawn.keys()].forEach(drawNow));
+
+function drawNow(div)
+{
+  const draw = undrawn.get(div);
+  undrawn.delete(div);
+  undrawnObserver.unobserve(div);
+  if (draw && div.isConnected)
+    draw(div);
+}
+
+// Calls draw(div) for each element once, as soon as it is near the window or the page is printed; those that have left
+// the page are forgotten.
 function whenVisible(elements, draw)
 {
-  const waiting = new Set(elements), now = div => {
-    if (waiting.delete(div))
-      draw(div);
-  };
-  const observer = new IntersectionObserver(all => all.filter(e => e.isIntersecting).forEach(e => now(e.target)),
-                                            {rootMargin: "400px"});
-  elements.forEach(div => observer.observe(div));
-  window.addEventListener("beforeprint", () => [...waiting].forEach(now));
+  [...undrawn.keys()].filter(div => !div.isConnected).forEach(drawNow);
+  for (const div of elements) {
+    undrawn.set(div, draw);
+    undrawnObserver.observe(div);
+  }
 }
 
 class Sweep

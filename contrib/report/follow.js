@@ -28,9 +28,10 @@ class Follower
           await this.takeOver(await (await fetch("news")).text());
           continue;
         }
+        const complaint = state.complaint && `Not up to date: ${state.complaint}`;
         if (state.ended)
-          return this.say("The run has ended.");
-        this.say(state.complaint ? `Not up to date: ${state.complaint}` : `Up to date at ${new Date().toLocaleTimeString()}.`);
+          return this.say(complaint ? `${complaint}; the run has ended.` : "The run has ended.");
+        this.say(complaint || `Up to date at ${new Date().toLocaleTimeString()}.`);
       }
       catch (error) {
         if (!(error instanceof TypeError))
@@ -73,24 +74,21 @@ class Follower
     return JSON.stringify([Object.keys(report.fields), report.runs.map(run => run.name), names]);
   }
 
-  // Puts a section into the place of the old one; curves that are drawn stay where they are, with new values.
+  // Puts a section into the place of the old one; frames with curves stay, and get the new values when they are seen.
   renew(old, fresh)
   {
     const drawn = new Map([...old.querySelectorAll("[data-drawn]")].map(div => [div.dataset.drawn, div]));
     const open = [...old.querySelectorAll("details")].map(box => box.open);
     fresh.querySelectorAll("details").forEach((box, i) => box.open = open[i]);
-    const waiting = [];
-    for (const div of fresh.querySelectorAll("[data-plot]")) {
+    const frames = [...fresh.querySelectorAll("[data-plot]")].map(div => {
       const kept = drawn.get(this.report.plots[div.dataset.plot].title);
-      if (kept) {
-        kept.dataset.plot = div.dataset.plot;
-        div.replaceWith(kept);
-        drawFrame(kept, this.report, this.player);
-      }
-      else
-        waiting.push(div);
-    }
-    old.replaceWith(fresh);
-    whenVisible(waiting, div => drawFrame(div, this.report, this.player));
+      if (!kept)
+        return div;
+      kept.dataset.plot = div.dataset.plot;
+      div.replaceWith(kept);
+      return kept;
+    });
+    old.replaceWith(fresh); // before anything is drawn: a frame takes its width from the page that it stands in
+    whenVisible(frames, div => drawFrame(div, this.report, this.player));
   }
 }

@@ -3,6 +3,7 @@
 
 import http.server
 import json
+import sys
 import threading
 import time
 
@@ -18,6 +19,8 @@ LARGEST_SHARE = 0.1
 FAREWELL = 60.   # s that an open page, busy as it may be, has to fetch the end
 WAITING = """<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta http-equiv="refresh" content="2">
 <title>Lahar</title><link rel="icon" href="data:,"><body data-state="waiting"><p>{reason}</p></body></html>"""
+NOTHING = """<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Lahar</title><link rel="icon" href="data:,">
+<body data-state="failed"><p>{reason}</p><p>The run has ended.</p></body></html>"""
 FILES = ("parameters.prm", "statistics", "solution.pvd", "log", "lock")
 
 
@@ -34,11 +37,20 @@ def follow(arguments):
         end = time.monotonic() + FAREWELL
         while server.is_awaited() and time.monotonic() < end:
             time.sleep(0.1)
-        print("The run has ended." if len(directories) == 1 else "The runs have ended.", flush=True)
+        end_of(directories, server.state)
     except KeyboardInterrupt:
         print(flush=True)
     if arguments.output:
         write_report(read_runs(arguments.outputs), arguments)
+
+
+def end_of(directories, state):
+    """Says that the runs have ended, and what is wrong with their files at the end; throws it if there never was a page."""
+    if state["version"] == 0:
+        raise OutputError(state["complaint"])
+    if state["complaint"]:
+        print(f"Not up to date: {state['complaint']}", flush=True)
+    print("The run has ended." if len(directories) == 1 else "The runs have ended.", flush=True)
 
 
 def wait_for_run(directories):
@@ -107,9 +119,9 @@ class Server(http.server.ThreadingHTTPServer):
         self.state = {"version": version, "ended": ended, "complaint": ""}
 
     def complain(self, reason, ended):
-        self.state = {**self.state, "ended": ended, "complaint": reason}
         if self.state["version"] == 0:
-            self.texts = {"/": WAITING.format(reason=escape(reason))}
+            self.texts = {"/": (NOTHING if ended else WAITING).format(reason=escape(reason))}
+        self.state = {**self.state, "ended": ended, "complaint": reason}
 
     def answer(self, path):
         """The text and its kind; None where there is none."""
@@ -119,7 +131,14 @@ class Server(http.server.ThreadingHTTPServer):
         if path == "/version":
             self.knows_end = state["ended"] and shown == str(state["version"])
             return json.dumps(state), "application/json"
+        if path == "/" and state["version"] == 0:
+            self.knows_end = state["ended"]  # this page says it and asks no more
         return (texts[path], "text/html; charset=utf-8") if path in texts else None
+
+    def handle_error(self, request, client_address):
+        """A browser that has gone is no error."""
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, client_address)
 
     def is_awaited(self):
         """Whether somebody has asked of late, and not yet been told of the end."""
@@ -141,10 +160,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.send_header("Content-Length", str(len(content)))
         self.send_header("Cache-Control", "no-store")
         self.end_headers()
-        try:
-            self.wfile.write(content)
-        except OSError:
-            pass  # the browser has gone
+        self.wfile.write(content)
 
     def log_message(self, *_):
         pass

@@ -19,9 +19,10 @@ REACH = 2.  # of the fluid's size: so far walls are shown beside it
 
 
 def is_start(directory):
-    """Whether there is a start and no run: a run has statistics, or had them and has the lines of its steps."""
+    """Whether there is a start and no run: a run has a lock while it goes on, statistics from its first step on, and the
+    lines of its steps if it had them."""
     return ((directory / "parameters.prm").is_file() and (directory / "log").is_file()
-            and not (directory / "statistics").exists()
+            and not (directory / "lock").exists() and not (directory / "statistics").exists()
             and not re.search("^step ", read_text(directory / "log"), re.M))
 
 

@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from program_test import ALONE, check, failed, fluid, new_case, section, walls  # noqa: E402
 
 LAHAR = os.path.abspath(sys.argv[1])
-N_STEPS, END = 20, 0.04
+N_STEPS, END, ENDLESS = 20, 0.04, 40.  # s
 CASE = f"""
 set Output directory = out
 set End time         = {END}
@@ -29,19 +29,22 @@ set Time step        = 2e-3
 set Mesh size        = 0.02
 set Output interval  = 0
 """ + fluid("0, 0 : 0.146, 0.292", section("Bingham", "set Yield stress = 20")) + walls("0, 0.4 : 0, 0 : 0.5, 0")
-PATIENCE = 300.  # s, on a busy machine
+PATIENCE = 200.  # s, for a run on a busy machine
 LINE = re.compile(r" *(\d+) %  t = (\S+) of (\S+) s  step (\d+)  iterations +\d+  volume [+-]\d+\.\d+ %  "
                   r"left \d+:\d\d:\d\d")
 
 
-def run_on_terminal(directory, width, *options, terminal="xterm"):
-    """What the program writes to a terminal, on both streams; its status and the seconds that it took."""
+def run_on_terminal(directory, width, *options, terminal="xterm", meanwhile=None):
+    """What the program writes to a terminal, on both streams; its status and the seconds that it took. @p meanwhile is
+    called with the process while it runs."""
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24 if width else 0, width, 0, 0))
     begin = time.monotonic()
     process = subprocess.Popen([LAHAR, *options, "case.prm"], cwd=directory, env=dict(ALONE, TERM=terminal),
                                stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs)
     os.close(theirs)
+    thread = threading.Thread(target=meanwhile or (lambda process: None), args=(process,))
+    thread.start()
     text = b""
     while True:
         try:
@@ -52,6 +55,7 @@ def run_on_terminal(directory, width, *options, terminal="xterm"):
             break
         text += piece
     os.close(ours)
+    thread.join()
     return text.decode(), process.wait(), time.monotonic() - begin
 
 
@@ -107,35 +111,37 @@ def test_narrow(parent):
             check("... and says what is left", all("left 0:0" in line and " %" in line for line in drawn), drawn)
 
 
-def wait_for(condition):
-    end = time.monotonic() + PATIENCE
-    while not condition() and time.monotonic() < end:
-        time.sleep(0.005)
-
-
 def during_a_run(directory, action):
-    """Runs for long on a terminal, and calls the action with the output directory once there are some steps."""
+    """Runs without end on a terminal, and calls the action, which ends the run, with the output directory, the process
+    and a function that waits for a condition, once there are some steps."""
     output = os.path.join(directory, "out")
+    end = time.monotonic() + PATIENCE
 
-    def act():
+    def act(process):
+        def wait_for(condition):
+            while process.poll() is None and time.monotonic() < end and not condition():
+                time.sleep(0.005)
+
         wait_for(lambda: os.path.exists(os.path.join(output, "log")) and len(logged(directory)[0]) >= 3)
-        action(output)
+        try:
+            action(output, process, wait_for)
+        finally:
+            wait_for(lambda: False)
+            process.kill()
 
-    thread = threading.Thread(target=act)
-    thread.start()
-    text, status, _ = run_on_terminal(directory, 100, "--set", "End time=0.3")
-    thread.join()
+    text, status, _ = run_on_terminal(directory, 100, "--set", f"End time={ENDLESS}", meanwhile=act)
     return screen(text), status
 
 
 def test_messages(parent):
     directory = new_case(parent, "messages", CASE)
 
-    def remove(output):
+    def remove(output, process, wait_for):
         path = os.path.join(output, "parameters.prm")
         for _ in range(3):
             os.remove(path)
             wait_for(lambda: os.path.exists(path))
+        process.terminate()
 
     lines, status = during_a_run(directory, remove)
     messages = logged(directory)[1]
@@ -149,7 +155,7 @@ def test_messages(parent):
 
 def test_failure(parent):
     directory = new_case(parent, "failure", CASE)
-    lines, status = during_a_run(directory, lambda output: os.rename(output, output + "-renamed"))
+    lines, status = during_a_run(directory, lambda output, *_: os.rename(output, output + "-renamed"))
     check("a run that fails says so on a line of its own, below that of the last step", status == 1
           and LINE.fullmatch(lines[-3]) and lines[-2].startswith("lahar: the run failed. ") and lines[-1] == "", status,
           lines)

@@ -13,6 +13,7 @@ import re
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -47,15 +48,28 @@ def ask(address, **headers):
         return reply.read().decode()
 
 
-def wait_for_version(address, least):
-    """Waits for this version of the page or a later one; the server's state."""
+def wait_for(address, condition):
+    """Waits until the condition holds for the server's state; the state."""
     end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
+    while True:
         state = json.loads(ask(address + "version"))
-        if state["version"] >= least:
+        if condition(state) or time.monotonic() > end:
             return state
         time.sleep(0.1)
-    return state
+
+
+def wait_for_version(address, least):
+    """Waits for this version of the page or a later one; the server's state."""
+    return wait_for(address, lambda state: state["version"] >= least)
+
+
+def leave(address):
+    """What a browser does that asks for the page and is closed at once: it resets the connection."""
+    host, port = re.match(r"http://(.*):(\d+)/", address).groups()
+    for request in (b"", f"GET / HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode(), b"GET /nothing HTTP/1.1\r\n\r\n"):
+        with socket.create_connection((host, int(port))) as connection:
+            connection.sendall(request)
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
 
 
 class GrowingRun:
@@ -66,6 +80,7 @@ class GrowingRun:
         os.mkdir(directory)
         shutil.copy(os.path.join(whole, "parameters.prm"), directory)
         self.write("lock", f"host {socket.gethostname()}\nprocess {os.getpid()}\nsince 2026-01-01 00:00:00 UTC\n")
+        self.write("log", self.read("log").split("step ")[0])
 
     def read(self, name):
         with open(os.path.join(self.whole, name)) as file:
@@ -97,6 +112,7 @@ class GrowingRun:
         os.remove(os.path.join(self.directory, "lock"))
 
 
+WIDTHS = """[...document.querySelectorAll("[data-plot][data-drawn]")].map(div => [div.clientWidth, div._fullLayout.width])"""
 FRONT = """[...document.querySelectorAll("[data-plot]")].map(div => div.data && div.data[0].x.length || 0)
   .reduce((a, b) => Math.max(a, b), 0)"""
 SLIDER = 'document.getElementById("slider").value + " of " + document.getElementById("slider").max'
@@ -105,8 +121,11 @@ SLIDER = 'document.getElementById("slider").value + " of " + document.getElement
 def test_following(directory, whole, browser):
     run = GrowingRun(os.path.join(directory, whole), os.path.join(directory, "growing"))
     process, address = start(directory, "growing", "-o", "end.html")
-    check("before the first step the page says so", "statistics" in ask(address) and json.loads(ask(
-        address + "version"))["version"] == 0, ask(address))
+    state = wait_for(address, lambda state: state["complaint"])
+    check("before the first step the page says so", "statistics" in ask(address) and state["version"] == 0,
+          ask(address), state)
+    for _ in range(5):
+        leave(address)
     run.grow(4, 2)
     state = wait_for_version(address, 1)
     check("then there is a page", state == {"version": 1, "ended": False, "complaint": ""}, state)
@@ -130,21 +149,21 @@ def test_following(directory, whole, browser):
     state = wait_for_version(address, 2)
     if browser:
         version = state["version"]
-        check("the page takes over what is new", browser.wait_for(f'document.body.dataset.version == {version}'))
+        check("the page takes over what is new", browser.wait_for(f'document.body.dataset.version >= {version}'))
         check("without a reload", browser.evaluate("window.here") is True)
         check("its curves go on", browser.wait_for(f"{FRONT} === 10"), browser.evaluate(FRONT))
+        check("every frame is as wide as its place", browser.wait_for(
+            f"{WIDTHS}.every(([place, frame]) => Math.abs(place - frame) < 1)"), browser.evaluate(WIDTHS))
         check("it stays with the last snapshot", browser.wait_for(f'{SLIDER} === "3 of 3"'), browser.evaluate(SLIDER))
-        check("the state is new", "83 %" in browser.evaluate('document.querySelector(".subtitle").textContent'))
+        check("the state is new", browser.wait_for(
+            'document.querySelector(".subtitle").textContent.includes("83 %")'))
         show(browser, 1, "pressure")
 
     records = os.path.join(run.directory, "solution.pvd")
     with open(records) as file:
         text = file.read()
     run.write("solution.pvd", text[:len(text) // 2])
-    end = time.monotonic() + PATIENCE
-    while not json.loads(ask(address + "version"))["complaint"] and time.monotonic() < end:
-        time.sleep(0.1)
-    state = json.loads(ask(address + "version"))
+    state = wait_for(address, lambda state: state["complaint"])
     check("files that cannot be read are complained about, and the page stays", "solution.pvd" in state["complaint"]
           and "goes on" in ask(address), state)
     if browser:
@@ -165,6 +184,41 @@ def test_following(directory, whole, browser):
     page = Page(os.path.join(directory, "end.html"))
     other = write_report(directory, "other.html", "growing")
     check("and leaves the report of the whole run", page.data == other.data)
+
+
+def test_unreadable_ends(directory, whole, browser):
+    run = GrowingRun(os.path.join(directory, whole), os.path.join(directory, "nothing"))
+    process, address = start(directory, "nothing")
+    wait_for(address, lambda state: state["complaint"])
+    os.remove(os.path.join(run.directory, "lock"))
+    wait_for(address, lambda state: state["ended"])
+    text = ask(address)
+    check("the page of a run that ends without a step says so, and asks no more", "statistics" in text
+          and "has ended" in text and "refresh" not in text, text)
+    text, errors = process.communicate(timeout=PATIENCE)
+    check("and lahar-report ends with the reason and status 2", process.returncode == 2 and "statistics" in errors
+          and len(errors.splitlines()) == 1 and "has ended" not in text, process.returncode, text, errors)
+
+    run = GrowingRun(os.path.join(directory, whole), os.path.join(directory, "damaged"))
+    run.grow(4, 2)
+    process, address = start(directory, "damaged")
+    wait_for_version(address, 1)
+    if browser:
+        browser.allowed += (address,)
+        browser.open(address)
+    run.write("solution.pvd", "<VTKFile")
+    os.remove(os.path.join(run.directory, "lock"))
+    state = wait_for(address, lambda state: state["ended"])
+    check("a run whose files cannot be read at the end", "solution.pvd" in state["complaint"], state)
+    if browser:
+        line = 'document.getElementById("follow").textContent'
+        check("has a page that says it", browser.wait_for(f'{line}.includes("has ended")') and browser.evaluate(
+            f'/^Not up to date: .*solution.pvd/.test({line})'), browser.evaluate(line))
+    else:
+        ask(f"{address}version?{state['version']}")
+    text, errors = process.communicate(timeout=PATIENCE)
+    check("and lahar-report says it", process.returncode == 0 and not errors and re.search(
+        "^Not up to date: .*solution.pvd", text, re.M), process.returncode, text, errors)
 
 
 def test_ends(directory, whole):
@@ -202,8 +256,10 @@ def main():
         if os.path.isfile(chromium):
             with Browser(chromium) as browser:
                 test_following(directory, whole, browser)
+                test_unreadable_ends(directory, whole, browser)
         else:
             test_following(directory, whole, None)
+            test_unreadable_ends(directory, whole, None)
         test_ends(directory, whole)
     sys.exit(1 if failed else 0)
 
