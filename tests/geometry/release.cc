@@ -152,7 +152,7 @@ void test_meshes()
   // A block of constant depth, with steep sides.
   grid_of(hill, 0.05).write_asc("ground.asc");
   const Entries block = {{"Depth", "0.2"}, {"Outline", "0.5, 0.4 : 1.3, 0.4 : 1.3, 1.1 : 0.5, 1.1"}};
-  for (const std::string law : {"free slip", "no slip"})
+  for (const std::string law : {"free slip", "no slip", "wall particles"})
   {
     const double h = 0.06;
     const InitialCase<3> c({release(block), ground("ground.asc", law)}, h);
@@ -172,7 +172,7 @@ void test_meshes()
     const double n = 0.8 * 0.7 / (std::sqrt(0.75) * h * h);
     check("particles of the surface", n_surface > 0.8 * n && n_surface < 1.5 * n);
     check("particles on the ground",
-          law == "no slip" ? n_ground == 0 : n_ground > 0.8 * n && n_ground < 1.5 * n);
+          law == "wall particles" ? n_ground == 0 : n_ground > 0.8 * n && n_ground < 1.5 * n);
     check("none below", n_below == 0);
   }
 }
