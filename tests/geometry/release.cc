@@ -118,6 +118,18 @@ void test_bodies()
             (0.2 * area) -
           1.,
         1e-9);
+  const unsigned int n = 1000;
+  std::ofstream circle("circle.csv");
+  circle.precision(17);
+  for (unsigned int i = 0; i < n; ++i)
+    circle << 1. + 0.5 * std::cos(2. * numbers::PI * i / n) << ", "
+           << 0.8 + 0.5 * std::sin(2. * numbers::PI * i / n) << '\n';
+  circle.close();
+  check("an outline of a thousand corners",
+        body_volume({{"Depth", "0.2"}, {"Outline file", "circle.csv"}}, ground("ground.asc")) /
+            (0.2 * 0.5 * n * 0.25 * std::sin(2. * numbers::PI / n)) -
+          1.,
+        1e-6);
   Grid far = grid_of([](const double x, const double y) { return 900. + hill(x - 4.2e5, y - 5.1e6); }, 0.1);
   far.x0   = 4.2e5;
   far.y0   = 5.1e6;
