@@ -4,6 +4,7 @@
 #include <lahar/utilities/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/OFF/File_header_OFF.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -41,6 +43,9 @@ namespace Lahar
 
     /// Edges between faces with a larger angle between their normals, in degrees, are kept.
     constexpr double sharp = 30.;
+
+    /// The most triangles of a surface in memory.
+    constexpr double most_triangles = 4e6;
 
     constexpr const char *kinds = "an STL, OBJ, PLY or OFF file of a surface, by its ending";
 
@@ -83,6 +88,24 @@ namespace Lahar
       }
     };
 
+    /// The reader of OFF files takes memory for all that the header says. @throws InputError if the file is too short for
+    /// it: a point has at least three numbers, a face one, and each is followed by a space or the line's end.
+    void check_off_header(const std::string &file_name)
+    {
+      if (CGAL::IO::internal::get_file_extension(file_name) != "off")
+        return;
+      std::ifstream file(file_name, std::ios::binary);
+      CGAL::File_header_OFF header;
+      std::error_code error;
+      const auto size = std::filesystem::file_size(file_name, error);
+      if (!error && file >> header && 6. * header.size_of_vertices() + 2. * header.size_of_facets() > size)
+        fail(file_name,
+             "says that it has " + std::to_string(header.size_of_vertices()) + " points and " +
+               std::to_string(header.size_of_facets()) + " faces, and is " + std::to_string(size) +
+               " bytes long",
+             "a whole file");
+    }
+
     Soup read(const std::string &file_name, const double scale)
     {
       // A pipe would wait for its writer.
@@ -90,6 +113,7 @@ namespace Lahar
       const auto status = std::filesystem::status(file_name, error);
       if (!std::filesystem::is_regular_file(status))
         fail(file_name, std::filesystem::exists(status) ? "is no regular file" : "does not exist", kinds);
+      check_off_header(file_name);
       Soup soup;
       bool complete = false;
       try
@@ -145,6 +169,23 @@ namespace Lahar
       return result;
     }
 
+    /// About how many triangles with edges of this length a mesh needs: by its area, and along its edges.
+    double n_triangles(const Mesh &mesh, const double spacing)
+    {
+      double n = 0.;
+      for (const Mesh::Face_index face : mesh.faces())
+      {
+        std::array<Point<3>, 3> p;
+        unsigned int v = 0;
+        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+          p[v++] = to_point(mesh.point(vertex));
+        const double area = 0.5 * cross_product_3d(p[1] - p[0], p[2] - p[0]).norm(),
+                     edge = std::max({p[0].distance(p[1]), p[1].distance(p[2]), p[2].distance(p[0])});
+        n += std::max(area / (0.43 * spacing * spacing), edge > spacing ? edge / spacing : 0.);
+      }
+      return n;
+    }
+
     void remesh(const double spacing, Mesh &mesh)
     {
       auto kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
@@ -159,7 +200,8 @@ namespace Lahar
 
 
 
-  SurfaceFile::SurfaceFile(const std::string &file_name, const double scale, const double spacing)
+  SurfaceFile::SurfaceFile(const std::string &file_name, const double scale, const double spacing,
+                           const std::string &spacing_entry)
   {
     Soup soup                = read(file_name, scale);
     const std::size_t n_read = soup.polygons.size();
@@ -189,11 +231,13 @@ namespace Lahar
     const auto [n_holes, rims] = close_holes(diagonal, mesh);
     if (spacing > 0.)
     {
-      if (spacing * 1e4 < diagonal)
+      if (const double n = n_triangles(mesh, spacing); !(n <= most_triangles))
       {
-        std::ostringstream found;
-        found << "is " << diagonal << " m long, and its edges are to be " << spacing << " m";
-        fail(file_name, found.str(), "a spacing of at least 1e-4 of that");
+        std::ostringstream message;
+        message << "Parameter '" << spacing_entry << "' is '" << spacing
+                << "'. Allowed: 0 or a larger one; with this one the surface of '" << file_name
+                << "' has about " << n << " triangles, and at most " << most_triangles << " are possible.";
+        throw InputError(message.str());
       }
       remesh(spacing, mesh);
     }

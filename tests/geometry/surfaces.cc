@@ -64,7 +64,7 @@ Triangles read(const std::string &file, const Triangles &triangles, std::vector<
                const double scale = 1., const double spacing = 0.)
 {
   file.substr(file.size() - 3) == "stl" ? write_stl(file, triangles) : write_indexed(file, triangles);
-  const SurfaceFile surface(file, scale, spacing);
+  const SurfaceFile surface(file, scale, spacing, "Spacing");
   remarks = surface.remarks();
   return surface.triangles();
 }
@@ -152,7 +152,7 @@ void test_wrong_input()
 {
   const auto refused = [](const std::string &what, const std::string &file,
                           const std::vector<std::string> &words, const double spacing = 0.) {
-    check_throws<InputError>(what, words, [&]() { SurfaceFile(file, 1., spacing); });
+    check_throws<InputError>(what, words, [&]() { SurfaceFile(file, 1., spacing, "Spacing"); });
   };
   refused("a missing file", "nowhere.stl", {"nowhere.stl", "does not exist", "STL, OBJ, PLY"});
   std::ofstream("text.stl") << "no surface at all\n";
@@ -168,7 +168,15 @@ void test_wrong_input()
   write_stl("box.stl", box_surface(2));
   std::ofstream("box.vrml") << "box\n";
   refused("a kind that is not known", "box.vrml", {"box.vrml", "STL, OBJ, PLY"});
-  refused("a spacing without end", "box.stl", {"box.stl", "1e-05 m", "1e-4"}, 1e-5);
+  refused("a spacing without end", "box.stl", {"'Spacing' is '1e-05'", "box.stl", "4e+06"}, 1e-5);
+  // Area 6 m²: 6/(0.43 · 1e-6) = 1.4e7 triangles.
+  refused("a spacing for too many triangles", "box.stl", {"'Spacing' is '0.001'", "about 1.39", "e+07"},
+          1e-3);
+  write_stl("needle.stl", {{{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(1., 1e-12, 0.)}}});
+  refused("or for too many along an edge", "needle.stl", {"'Spacing' is '1e-07'", "needle.stl"}, 1e-7);
+  std::ofstream("header.off") << "OFF\n1000000000 1000000000 0\n";
+  refused("a header of more than the file", "header.off",
+          {"header.off", "1000000000 points and 1000000000 faces", "bytes long"});
 
   Triangles crossing = box_surface(1);
   for (const auto &triangle : box_surface(1))

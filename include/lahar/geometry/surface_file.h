@@ -27,10 +27,12 @@ namespace Lahar
      * @param scale m per unit of the file.
      * @param spacing wanted length of the triangles' edges in m, zero for those of the file. Sharp edges, above 30°, and
      * rims stay where they are.
-     * @throws InputError with the file's name for one that is missing or not of a known kind, and with a place for triangles
-     * that cross others.
+     * @param spacing_entry the parameter that says so, for messages.
+     * @throws InputError with the file's name for one that is missing or not of a known kind, with a place for triangles
+     * that cross others, and for a spacing that gives more than 4 million triangles.
      */
-    SurfaceFile(const std::string &file_name, const double scale, const double spacing);
+    SurfaceFile(const std::string &file_name, const double scale, const double spacing,
+                const std::string &spacing_entry);
 
     const std::vector<std::array<Point<3>, 3>> &triangles() const
     {
