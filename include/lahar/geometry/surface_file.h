@@ -17,8 +17,8 @@ namespace Lahar
    * The triangles of a drawing's surface in space: STL, OBJ, PLY or OFF, read, checked and mended by CGAL.
    *
    * Points in the same place become one, polygons triangles, triangles without area go, neighbours are turned the same way
-   * round, and rims shorter than a twentieth of the surface's diagonal are closed. Surfaces may be open. All but the first
-   * two is said in remarks(), and so are short rims that stay.
+   * round, and rims shorter than a twentieth of the surface's diagonal are closed. All but the first two is said in
+   * remarks(), and so are short rims that stay. Surfaces may be open, and more than two faces may meet at an edge.
    */
   class SurfaceFile
   {
