@@ -4,46 +4,48 @@
 
     contrib/terrain/example_grids.py prm/landslide
 
-The ground is a valley beside the Jacksboro Fault, Tennessee, from the elevations that matplotlib ships as sample data
-(jacksboro_fault_dem.npz; Debian: python-matplotlib-data), whole metres in cells of 3 arc seconds. They are taken to cells
-of 50 m, bilinearly; the origin is the middle of the first one. What slides is invented.
+Both are functions: a slope that falls to the west, to the floor of a valley with an opposite bank, in it a channel with
+bends, and bumps all over. What slides lies at the channel's upper end.
 """
 import pathlib
 import sys
 
-import matplotlib
 import numpy as np
 
-SAMPLE = "sample_data/jacksboro_fault_dem.npz"
-ROWS, COLUMNS = slice(135, 155), slice(200, 220)  # of the sample, from the north
-CELL = 50.  # m
-METRES = 111195.  # of a degree of a meridian
-CENTRE, RADIUS, DEPTH = (720., 1100.), 250., 60.  # of what slides, m
+CELL, COLUMNS, ROWS = 50., 29, 36  # m
+CENTRE, RADIUS, DEPTH = (1000., 875.), 250., 60.  # of what slides, m
 
 
-def write_grid(path, x, y, values, digits):
+def ground(x, y):
+    """Elevations, m."""
+    slope = 350. + 160. * (1. + np.tanh((x - 800.) / 350.))
+    bank = 80. * np.exp(-(x / 150.)**2)
+    floor = 0.03 * y  # falls to the south
+    beside = y - CENTRE[1] - 90. * np.sin(2. * np.pi * (x - CENTRE[0]) / 900.)
+    channel = 50. * np.exp(-((x - 800.) / 260.)**2 - 0.5 * (beside / 120.)**2)
+    bumps = 4. * np.sin(2. * np.pi * x / 350.) * np.sin(2. * np.pi * y / 420.)
+    return slope + bank + floor - channel + bumps
+
+
+def release(x, y):
+    """Depths, m: a cap."""
+    return DEPTH * np.maximum(0., 1. - ((x - CENTRE[0])**2 + (y - CENTRE[1])**2) / RADIUS**2)
+
+
+def write_grid(path, x, y, values):
     """An ESRI ASCII grid of values on the points of x and y, which ascend; rows are those of y."""
     with open(path, "w") as file:
         file.write(f"ncols {len(x)}\nnrows {len(y)}\nxllcenter {x[0]:g}\nyllcenter {y[0]:g}\ncellsize {CELL:g}\n"
                    "NODATA_value -9999\n")
         for row in values[::-1]:
-            file.write(" ".join(f"{value:.{digits}f}" for value in row) + "\n")
+            file.write(" ".join(f"{value:.1f}" for value in row) + "\n")
 
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    sample = np.load(pathlib.Path(matplotlib.get_data_path()) / SAMPLE)
-    elevation = sample["elevation"][ROWS, COLUMNS][::-1].astype(float)  # from the south
-    latitude = 0.5 * (sample["ymin"] + sample["ymax"])
-    x = np.arange(elevation.shape[1]) * float(sample["dx"]) * METRES * np.cos(np.radians(latitude))
-    y = np.arange(elevation.shape[0]) * float(sample["dy"]) * METRES
-    new_x, new_y = np.arange(0., x[-1], CELL), np.arange(0., y[-1], CELL)
-    along_x = np.array([np.interp(new_x, x, row) for row in elevation])
-    ground = np.array([np.interp(new_y, y, column) for column in along_x.T]).T
-    write_grid(folder / "terrain.asc", new_x, new_y, ground, 1)
-
-    distance = np.hypot(new_x[None, :] - CENTRE[0], new_y[:, None] - CENTRE[1])
-    write_grid(folder / "release.asc", new_x, new_y, DEPTH * np.maximum(0., 1. - (distance / RADIUS)**2), 1)
+    x, y = CELL * np.arange(COLUMNS), CELL * np.arange(ROWS)
+    write_grid(folder / "terrain.asc", x, y, ground(x[None, :], y[:, None]))
+    write_grid(folder / "release.asc", x, y, release(x[None, :], y[:, None]))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace Lahar
@@ -43,9 +44,13 @@ namespace Lahar
       return result;
     }
 
+    void check_scale(const double h) const override;
+
   private:
     std::vector<Point<2>> nodes;
     std::vector<Simplex<2>> simplices;
+    double deepest = 0.; ///< the largest depth
+    std::string path;    ///< of the shape's section
   };
 
 
@@ -80,6 +85,7 @@ namespace Lahar
 
   void ProfileRelease::parse_parameters(Parameters &prm)
   {
+    path                    = prm.path("");
     const Profile profile   = profile_of(prm);
     const double depth      = prm.get_positive("Depth", true);
     const std::string level = prm.get("Level"), file = prm.get("Depth file");
@@ -135,6 +141,7 @@ namespace Lahar
       const double y = value_at(profile.points(), x);
       double above   = !level.empty() ? surface - y : depths.empty() ? depth : value_at(depths, x + shift);
       above          = above > tolerance ? above : 0.;
+      deepest        = std::max(deepest, above);
       ground.push_back(nodes.size());
       nodes.emplace_back(x, y);
       top.push_back(above > 0. ? nodes.size() : ground.back());
@@ -149,9 +156,22 @@ namespace Lahar
       }
     }
     if (simplices.empty())
-      throw InputError("'" + prm.path("") +
+      throw InputError("'" + path.substr(0, path.size() - 1) +
                        "' has no fluid. Allowed: a table of depths or a 'Level' above the ground "
                        "between the ends.");
+  }
+
+
+
+  void ProfileRelease::check_scale(const double h) const
+  {
+    if (deepest >= h)
+      return;
+    std::ostringstream message;
+    message << "Parameter 'Mesh size' is " << h << " m, and the fluid of '" << path.substr(0, path.size() - 1)
+            << "' is at most " << deepest
+            << " m deep. Allowed: a mesh size of at most the depth, better a third of it.";
+    throw InputError(message.str());
   }
 
 

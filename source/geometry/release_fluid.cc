@@ -68,6 +68,40 @@ namespace Lahar
         sum += piece[0].place.distance(piece[1].place) / pieces.size();
       return sum;
     }
+
+    using Edge = std::array<Point<2>, 2>; ///< of an outline
+
+    /// Halve the pieces that meet an edge along its line; then none has parts on both sides of it.
+    void cut_along(const Edge &edge, const double tolerance, std::vector<GroundPiece> &pieces)
+    {
+      const double length      = edge[0].distance(edge[1]);
+      const Tensor<1, 2> along = (edge[1] - edge[0]) / length, across = cross_product_2d(along);
+      std::vector<GroundPiece> result;
+      for (const GroundPiece &piece : pieces)
+      {
+        std::array<double, 3> beside, opposite;
+        double first = length, last = 0., lowest = 0., highest = 0.;
+        for (unsigned int v = 0; v < 3; ++v)
+        {
+          const Tensor<1, 2> from = Point<2>(piece[v].place[0], piece[v].place[1]) - edge[0];
+          beside[v]               = across * from;
+          opposite[v]             = -beside[v];
+          first                   = std::min(first, along * from);
+          last                    = std::max(last, along * from);
+          lowest                  = std::min(lowest, beside[v]);
+          highest                 = std::max(highest, beside[v]);
+        }
+        if (lowest > -tolerance || highest < tolerance || first > length || last < 0.)
+        {
+          result.push_back(piece);
+          continue;
+        }
+        for (const auto &values : {beside, opposite})
+          for (const GroundPiece &part : positive_part(piece, values, tolerance))
+            result.push_back(part);
+      }
+      pieces.swap(result);
+    }
   } // namespace
 
 
@@ -132,50 +166,51 @@ namespace Lahar
 
   void ReleaseFluid::keep_inside()
   {
-    // A triangle that meets an edge of an outline is halved along the edge's line; then none has parts on both sides.
     const double tolerance = 1e-7 * mean_size(pieces);
+    std::vector<Edge> edges;
+    std::vector<BoundingBox<2>> outline_boxes;
+    std::vector<std::pair<BoundingBox<2>, unsigned int>> edge_boxes;
     for (const Polygon &outline : outlines)
+    {
+      outline_boxes.emplace_back(outline);
       for (unsigned int i = 0; i < outline.size(); ++i)
       {
-        const Point<2> &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        const Tensor<1, 2> along = (b - a) / a.distance(b), across = cross_product_2d(along);
-        std::vector<GroundPiece> cut;
-        for (const GroundPiece &piece : pieces)
-        {
-          std::array<double, 3> beside, opposite;
-          double first = a.distance(b), last = 0., lowest = 0., highest = 0.;
-          for (unsigned int v = 0; v < 3; ++v)
-          {
-            const Point<2> p(piece[v].place[0], piece[v].place[1]);
-            beside[v]   = across * (p - a);
-            opposite[v] = -beside[v];
-            first       = std::min(first, along * (p - a));
-            last        = std::max(last, along * (p - a));
-            lowest      = std::min(lowest, beside[v]);
-            highest     = std::max(highest, beside[v]);
-          }
-          if (lowest > -tolerance || highest < tolerance || first > a.distance(b) || last < 0.)
-          {
-            cut.push_back(piece);
-            continue;
-          }
-          for (const auto &values : {beside, opposite})
-            for (const GroundPiece &part : positive_part(piece, values, tolerance))
-              cut.push_back(part);
-        }
-        pieces = cut;
+        edges.push_back({{outline[i], outline[(i + 1) % outline.size()]}});
+        edge_boxes.emplace_back(BoundingBox<2>(edges.back()), edge_boxes.size());
       }
-    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                                [&](const GroundPiece &piece) {
-                                  Point<2> middle;
-                                  for (const GroundPoint &corner : piece)
-                                    middle += Tensor<1, 2>({corner.place[0], corner.place[1]}) / 3.;
-                                  return std::none_of(outlines.begin(), outlines.end(),
-                                                      [&](const Polygon &outline) {
-                                                        return is_inside(outline, middle);
-                                                      });
-                                }),
-                 pieces.end());
+    }
+    const auto edge_tree = pack_rtree(edge_boxes);
+
+    std::vector<GroundPiece> inside;
+    for (const GroundPiece &piece : pieces)
+    {
+      std::array<Point<2>, 3> plan;
+      for (unsigned int v = 0; v < 3; ++v)
+        plan[v] = {piece[v].place[0], piece[v].place[1]};
+      const BoundingBox<2> box(plan);
+      if (std::none_of(outline_boxes.begin(), outline_boxes.end(), [&](const BoundingBox<2> &outline_box) {
+            return boost::geometry::intersects(outline_box, box);
+          }))
+        continue;
+      std::vector<unsigned int> near;
+      for (const auto &[edge_box, e] :
+           edge_tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(box)))
+        near.push_back(e);
+      std::sort(near.begin(), near.end());
+      std::vector<GroundPiece> parts(1, piece);
+      for (const unsigned int e : near)
+        cut_along(edges[e], tolerance, parts);
+      for (const GroundPiece &part : parts)
+      {
+        Point<2> middle;
+        for (const GroundPoint &corner : part)
+          middle += Tensor<1, 2>({corner.place[0], corner.place[1]}) / 3.;
+        if (std::any_of(outlines.begin(), outlines.end(),
+                        [&](const Polygon &outline) { return is_inside(outline, middle); }))
+          inside.push_back(part);
+      }
+    }
+    pieces.swap(inside);
   }
 
 

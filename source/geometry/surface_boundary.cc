@@ -30,7 +30,8 @@ namespace Lahar
       if (file.empty())
         prm.throw_wrong_value("File", "the name of an STL, OBJ, PLY or OFF file");
       path = prm.path("Scale");
-      const SurfaceFile surface(file, prm.get_positive("Scale"), prm.get_positive("Spacing", true));
+      const SurfaceFile surface(file, prm.get_positive("Scale"), prm.get_positive("Spacing", true),
+                                prm.path("Spacing"));
       const Tensor<1, 3> origin = prm.get_vector<3>("Origin");
       remarks                   = surface.remarks();
       shape.mesh_facets         = surface.triangles();

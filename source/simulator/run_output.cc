@@ -87,11 +87,9 @@ namespace Lahar
   void RunOutput<dim>::write_start(const Snapshot<dim> &snapshot, const std::string &sizes)
   {
     on_first_rank(communicator, [&] {
-      const std::string statistics_file = parameters.output_directory + "/statistics"; // no run is without it
-      std::error_code error;
-      if (std::filesystem::exists(statistics_file, error))
+      if (const std::string file = directory.file_of_run(); !file.empty())
         throw InputError("Option --write-start is '" + parameters.output_directory +
-                         "'. Allowed: a directory without a run, but there is '" + statistics_file + "'.");
+                         "'. Allowed: a directory without a run, but there is '" + file + "'.");
       directory.take(OutputDirectory::Use::overwrite);
       directory.clear();
       write_parameters();

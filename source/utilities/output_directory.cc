@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <regex>
 
 namespace Lahar
@@ -23,6 +24,20 @@ namespace Lahar
     const std::string names = "parameters\\.prm|log|statistics|convergence|solution\\.pvd|"
                               "solution-\\d+(\\.\\d+)?\\.p?vtu|solid-\\d+\\.vtu|walls(-\\d+)?\\.vtu|"
                               "checkpoint/state|checkpoint/piece-\\d+-\\d+-of-\\d+";
+
+    /// Those of them that a start has.
+    const std::string names_of_start = "parameters\\.prm|log|solution\\.pvd|solution-00000(\\.\\d+)?\\.p?vtu|"
+                                       "solid-00000\\.vtu|walls(-00000)?\\.vtu";
+
+    /// Whether the log of a run or of a start has a line of a step.
+    bool has_steps(const std::filesystem::path &log)
+    {
+      std::ifstream file(log);
+      for (std::string line; std::getline(file, line);)
+        if (line.compare(0, 5, "step ") == 0)
+          return true;
+      return false;
+    }
 
     /// Where the open directory is now, by the system's word.
     std::string place_of(const int descriptor)
@@ -149,6 +164,31 @@ namespace Lahar
     }
     std::sort(result.begin(), result.end());
     return result;
+  }
+
+
+
+  std::string OutputDirectory::file_of_run() const
+  {
+    // That of a run that has lost some of its files, too.
+    const std::filesystem::path folder(name), log = folder / "log";
+    const std::regex of_start(names_of_start);
+    const std::vector<std::filesystem::path> files = files_of_runs(false);
+    const auto has                                 = [&](const std::filesystem::path &file) {
+      return std::find(files.begin(), files.end(), file) != files.end();
+    };
+    for (const std::filesystem::path &file : {folder / "statistics", folder / "checkpoint" / "state"})
+      if (has(file))
+        return file.string();
+    for (const std::filesystem::path &file : files)
+      if (!std::regex_match(file.lexically_relative(folder).string(), of_start))
+        return file.string();
+    if (has(log) && (!has(folder / "parameters.prm") || has_steps(log)))
+      return log.string();
+    for (const std::filesystem::path &file : files)
+      if (!has(log) && file != folder / "parameters.prm") // perhaps the case of this start
+        return file.string();
+    return "";
   }
 
 

@@ -122,6 +122,10 @@ void test_wrong_input()
   std::ofstream("negative.csv") << "0, 1\n1, -1\n";
   refused("a negative depth", {{"Depth file", "negative.csv"}}, ground("ground.csv"),
           {"negative.csv:2", "zero or above"});
+  check_throws<InputError>(
+    "fluid that is flat for the mesh", {"'Mesh size' is 0.1", "'Fluids/fluid/release'", "0.02 m deep"}, []() {
+      InitialCase<2>({release({{"Depth", "0.02"}, {"Ends", "0.4, 1.4"}}), ground("ground.csv")}, 0.1);
+    });
 }
 
 int main(int argc, char **argv)

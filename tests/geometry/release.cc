@@ -118,6 +118,18 @@ void test_bodies()
             (0.2 * area) -
           1.,
         1e-9);
+  const unsigned int n = 1000;
+  std::ofstream circle("circle.csv");
+  circle.precision(17);
+  for (unsigned int i = 0; i < n; ++i)
+    circle << 1. + 0.5 * std::cos(2. * numbers::PI * i / n) << ", "
+           << 0.8 + 0.5 * std::sin(2. * numbers::PI * i / n) << '\n';
+  circle.close();
+  check("an outline of a thousand corners",
+        body_volume({{"Depth", "0.2"}, {"Outline file", "circle.csv"}}, ground("ground.asc")) /
+            (0.2 * 0.5 * n * 0.25 * std::sin(2. * numbers::PI / n)) -
+          1.,
+        1e-6);
   Grid far = grid_of([](const double x, const double y) { return 900. + hill(x - 4.2e5, y - 5.1e6); }, 0.1);
   far.x0   = 4.2e5;
   far.y0   = 5.1e6;
@@ -152,7 +164,7 @@ void test_meshes()
   // A block of constant depth, with steep sides.
   grid_of(hill, 0.05).write_asc("ground.asc");
   const Entries block = {{"Depth", "0.2"}, {"Outline", "0.5, 0.4 : 1.3, 0.4 : 1.3, 1.1 : 0.5, 1.1"}};
-  for (const std::string law : {"free slip", "no slip"})
+  for (const std::string law : {"free slip", "no slip", "wall particles"})
   {
     const double h = 0.06;
     const InitialCase<3> c({release(block), ground("ground.asc", law)}, h);
@@ -172,7 +184,7 @@ void test_meshes()
     const double n = 0.8 * 0.7 / (std::sqrt(0.75) * h * h);
     check("particles of the surface", n_surface > 0.8 * n && n_surface < 1.5 * n);
     check("particles on the ground",
-          law == "no slip" ? n_ground == 0 : n_ground > 0.8 * n && n_ground < 1.5 * n);
+          law == "wall particles" ? n_ground == 0 : n_ground > 0.8 * n && n_ground < 1.5 * n);
     check("none below", n_below == 0);
   }
 }

@@ -64,7 +64,7 @@ Triangles read(const std::string &file, const Triangles &triangles, std::vector<
                const double scale = 1., const double spacing = 0.)
 {
   file.substr(file.size() - 3) == "stl" ? write_stl(file, triangles) : write_indexed(file, triangles);
-  const SurfaceFile surface(file, scale, spacing);
+  const SurfaceFile surface(file, scale, spacing, "Spacing");
   remarks = surface.remarks();
   return surface.triangles();
 }
@@ -119,6 +119,53 @@ void test_mending()
   check("and this is said", says(remarks, "flat.stl", "2 faces"));
 }
 
+/// A rectangle x × [0, 1] × [0, top] of n × n squares in two triangles each.
+Triangles plate(const double x, const double top, const unsigned int n)
+{
+  Triangles result;
+  const auto node = [&](const unsigned int i, const unsigned int j) {
+    return Point<3>(x, double(i) / n, double(j) / n * top);
+  };
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      result.push_back({{node(i, j), node(i + 1, j), node(i + 1, j + 1)}});
+      result.push_back({{node(i, j), node(i + 1, j + 1), node(i, j + 1)}});
+    }
+  return result;
+}
+
+void test_joints()
+{
+  // Edges with three and four faces.
+  std::vector<std::string> remarks;
+  Triangles tank = box_surface(4);
+  for (const auto &triangle : plate(0.5, 1., 4))
+    tank.push_back(triangle);
+  check("a wall through a box", area_of(read("wall.stl", tank, remarks)) - 7., 1e-12);
+  check("without a word: it joins on all sides", remarks.empty());
+  const Triangles fine = read("wall.stl", tank, remarks, 1., 0.08);
+  check("with new triangles", area_of(fine) - 7., 1e-9);
+  check("of the wanted size", std::sqrt(7. / (0.43 * fine.size())) / 0.08 - 1., 0.25);
+
+  tank.resize(6 * 2 * 16);
+  for (const auto &triangle : plate(0.5, 1., 4))
+    if (std::max({triangle[0][2], triangle[1][2], triangle[2][2]}) < 0.6)
+      tank.push_back(triangle);
+  check("a baffle that ends below the lid", area_of(read("baffle.stl", tank, remarks)) - 6.5, 1e-12);
+  check("its free edge is said", says(remarks, "baffle.stl", "rims of 1 m"));
+
+  Triangles boxes = box_surface(4);
+  for (auto triangle : box_surface(4))
+  {
+    for (Point<3> &p : triangle)
+      p += Point<3>(1., 1., 0.) - Point<3>();
+    boxes.push_back(triangle);
+  }
+  check("two boxes with a common edge", area_of(read("boxes.stl", boxes, remarks)) - 12., 1e-12);
+  check("without a word: they are closed", remarks.empty());
+}
+
 void test_new_triangles()
 {
   std::vector<std::string> remarks;
@@ -152,7 +199,7 @@ void test_wrong_input()
 {
   const auto refused = [](const std::string &what, const std::string &file,
                           const std::vector<std::string> &words, const double spacing = 0.) {
-    check_throws<InputError>(what, words, [&]() { SurfaceFile(file, 1., spacing); });
+    check_throws<InputError>(what, words, [&]() { SurfaceFile(file, 1., spacing, "Spacing"); });
   };
   refused("a missing file", "nowhere.stl", {"nowhere.stl", "does not exist", "STL, OBJ, PLY"});
   std::ofstream("text.stl") << "no surface at all\n";
@@ -168,7 +215,15 @@ void test_wrong_input()
   write_stl("box.stl", box_surface(2));
   std::ofstream("box.vrml") << "box\n";
   refused("a kind that is not known", "box.vrml", {"box.vrml", "STL, OBJ, PLY"});
-  refused("a spacing without end", "box.stl", {"box.stl", "1e-05 m", "1e-4"}, 1e-5);
+  refused("a spacing without end", "box.stl", {"'Spacing' is '1e-05'", "box.stl", "4e+06"}, 1e-5);
+  // Area 6 m²: 6/(0.43 · 1e-6) = 1.4e7 triangles.
+  refused("a spacing for too many triangles", "box.stl", {"'Spacing' is '0.001'", "about 1.39", "e+07"},
+          1e-3);
+  write_stl("needle.stl", {{{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(1., 1e-12, 0.)}}});
+  refused("or for too many along an edge", "needle.stl", {"'Spacing' is '1e-07'", "needle.stl"}, 1e-7);
+  std::ofstream("header.off") << "OFF\n1000000000 1000000000 0\n";
+  refused("a header of more than the file", "header.off",
+          {"header.off", "1000000000 points and 1000000000 faces", "bytes long"});
 
   Triangles crossing = box_surface(1);
   for (const auto &triangle : box_surface(1))
@@ -180,6 +235,13 @@ void test_wrong_input()
   write_stl("crossing.stl", crossing);
   refused("faces that cross", "crossing.stl",
           {"crossing.stl", "cross", "pairs", "; ", "boundaries with files of their own"});
+
+  Triangles folded                    = box_surface(1);
+  const std::array<Point<3>, 3> first = folded[0];
+  folded.push_back(
+    {{first[0], first[1], first[0] + 0.3 * (first[1] - first[0]) + 0.2 * (first[2] - first[0])}});
+  write_stl("folded.stl", folded);
+  refused("a third face of an edge that lies in another", "folded.stl", {"folded.stl", "cross"});
 
   const auto boundary = [](const Entries &entries) {
     return make_geometry<3>({boxes("5, 5, 5 : 6, 6, 6"), boundary_of("surface", entries)});
@@ -203,6 +265,7 @@ void test_wrong_input()
 int main()
 {
   test_mending();
+  test_joints();
   test_new_triangles();
   test_wrong_input();
   return n_failed;

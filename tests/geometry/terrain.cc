@@ -180,7 +180,7 @@ void test_resampling()
 
 void test_particles()
 {
-  // A wall without slip carries particles at the mesh size, finer and coarser than the grid.
+  // A wall of the law 'wall particles' carries particles at the mesh size, finer and coarser than the grid.
   Grid grid;
   grid.z = hill;
   grid.write_asc("hill.asc");

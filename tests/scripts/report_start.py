@@ -54,6 +54,22 @@ def test_refused(lahar, directory):
     check("a directory with a run is refused", process.returncode == 2 and all(
         word in process.stderr for word in ("--write-start", "'out'", "statistics", "Allowed")), process.stderr)
     check("and stays as it is", content(output) == before, before, content(output))
+    # Runs that have lost files, and what is said of them.
+    for left, said in (({"checkpoint/state": ""}, "checkpoint/state"), ({"log": ""}, "log"),
+                       ({"solution-00000.vtu": "", "parameters.prm": ""}, "solution-00000.vtu"),
+                       ({"solution-00007.vtu": "", "parameters.prm": "", "log": ""}, "solution-00007.vtu"),
+                       ({"parameters.prm": "", "log": "step      1  t = 0.002\n"}, "log")):
+        with tempfile.TemporaryDirectory(dir=os.path.join(directory, "run")) as lost:
+            for name, text in left.items():
+                path = os.path.join(lost, name)
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                with open(path, "w") as file:
+                    file.write(text)
+            before = content(lost)
+            process = lahar_start(lahar, os.path.join(directory, "run"), "--write-start", lost)
+            check(f"a directory with {', '.join(left)} is refused and stays as it is", process.returncode == 2
+                  and f"'{os.path.join(lost, said)}'" in process.stderr and content(lost) == before,
+                  process.stderr, before, content(lost))
     for option in ("--resume", "--overwrite"):
         process = lahar_start(lahar, os.path.join(directory, "run"), "--write-start", "start", option)
         check(f"{option} is refused beside it", process.returncode == 2 and option in process.stderr, process.stderr)

@@ -17,8 +17,8 @@ namespace Lahar
    * The triangles of a drawing's surface in space: STL, OBJ, PLY or OFF, read, checked and mended by CGAL.
    *
    * Points in the same place become one, polygons triangles, triangles without area go, neighbours are turned the same way
-   * round, and rims shorter than a twentieth of the surface's diagonal are closed. Surfaces may be open. All but the first
-   * two is said in remarks(), and so are short rims that stay.
+   * round, and rims shorter than a twentieth of the surface's diagonal are closed. All but the first two is said in
+   * remarks(), and so are short rims that stay. Surfaces may be open, and more than two faces may meet at an edge.
    */
   class SurfaceFile
   {
@@ -27,10 +27,12 @@ namespace Lahar
      * @param scale m per unit of the file.
      * @param spacing wanted length of the triangles' edges in m, zero for those of the file. Sharp edges, above 30°, and
      * rims stay where they are.
-     * @throws InputError with the file's name for one that is missing or not of a known kind, and with a place for triangles
-     * that cross others.
+     * @param spacing_entry the parameter that says so, for messages.
+     * @throws InputError with the file's name for one that is missing or not of a known kind, with a place for triangles
+     * that cross others, and for a spacing that gives more than 4 million triangles.
      */
-    SurfaceFile(const std::string &file_name, const double scale, const double spacing);
+    SurfaceFile(const std::string &file_name, const double scale, const double spacing,
+                const std::string &spacing_entry);
 
     const std::vector<std::array<Point<3>, 3>> &triangles() const
     {

@@ -39,6 +39,10 @@ namespace Lahar
     /// another process has it, or if it holds an earlier run that is neither to be overwritten nor resumed.
     void take(const Use use);
 
+    /// A file that stands there and shows that the directory is that of a run; empty if there is none, or at most what
+    /// `--write-start` leaves: the entries, a log without steps and the first snapshot.
+    std::string file_of_run() const;
+
     /// Remove the files of earlier runs, and nothing else. @throws RunError
     void clear() const;
 
