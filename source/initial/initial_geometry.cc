@@ -100,8 +100,16 @@ namespace Lahar
             "fluid " + body->name());
     for (const WallShape<dim> &wall : wall_shapes)
     {
-      if (wall.lands)
-        continue; // particles on its sharp edges at most
+      if (wall.lands) // particles on its sharp edges at most
+      {
+        double n = 0.;
+        if (dim == 3 && wall.sticks)
+          for (const WallFacet<dim> &facet : wall.facets())
+            for (unsigned int c = 0; c < dim; ++c)
+              n += std::max(0., facet.corners[c].distance(facet.corners[(c + 1) % dim]) / h - 1.);
+        check(n, "boundary " + wall.name);
+        continue;
+      }
       std::vector<Point<dim>> corners;
       for (const WallFacet<dim> &facet : wall.facets())
         corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());

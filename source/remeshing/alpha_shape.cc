@@ -100,6 +100,8 @@ namespace Lahar
                       const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                       const bool only_without_particles = false, const double uneven = 1e-3)
     {
+      // Cells of the old domain in space may pass a little below uneven ground.
+      const double aside = dim == 3 && only_without_particles ? 0.1 : 1e-2 * contact_offset;
       // Normals of facets without particles that an edge passes through, and those of them that are not close to their rim.
       std::vector<Tensor<1, dim>> towards_a, must_end;
       for (unsigned int a = 0; a <= dim; ++a)
@@ -113,10 +115,9 @@ namespace Lahar
                          height_b = walls.signed_distance(facet, corners[b]);
             const bool lands      = walls.facets()[facet].lands;
             const auto is_beside  = [&](const double height, const unsigned int c) {
-              return std::abs(height) > (lands && cloud.kind[simplex[c]] == ParticleKind::fluid
-                                            ? 1e-2 * contact_offset
-                                            : uneven) *
-                                          cloud.spacing[simplex[c]];
+              return std::abs(height) >
+                     (lands && cloud.kind[simplex[c]] == ParticleKind::fluid ? aside : uneven) *
+                       cloud.spacing[simplex[c]];
             };
             if (!is_beside(height_a, a) || !is_beside(height_b, b))
               continue;

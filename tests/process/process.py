@@ -262,7 +262,7 @@ def full(parent):
 
 
 def alone(parent):
-    directory = new_case(parent, "alone", CASE.replace("0.02", "0.004"))
+    directory = new_case(parent, "alone", CASE.replace("0.02", "0.006"))
     attempt = start(directory, 2, "--set", "Checkpoint/Steps between=1")
     wait_for(attempt, lambda: n_rows(directory) >= 1)
     for pid in attempt.pids()[-1:]:
