@@ -14,6 +14,9 @@ namespace Lahar
 
     /// Two normals span two directions if the sine of their angle exceeds this.
     constexpr double parallel_tolerance = 1e-3;
+
+    /// Parts of the walls' speeds that are none.
+    constexpr double rounding = 1e-6;
   } // namespace
 
 
@@ -204,15 +207,17 @@ namespace Lahar
       const int sticking = sticking_facet(particle, cloud);
       if (sticking == ParticleCloud<dim>::no_facet)
         return sliding(particle, cloud, speed);
-      // What another wall pushes along the one that it sticks to slides on both.
-      const Tensor<1, dim> v = step.velocity(walls.facets()[sticking].boundary, cloud.position[particle]);
-      for (const int facet : cloud.contact_facets[particle])
-        if (facet != ParticleCloud<dim>::no_facet)
-          if (const double along = walls.normal(facet) * v;
-              std::abs(along - speed(facet)) > 1e-6 * (std::abs(along) + std::abs(speed(facet))))
-            return sliding(particle, cloud, speed);
       of_wall  = true;
       boundary = walls.facets()[sticking].boundary;
+      // What another wall pushes along the one that it sticks to slides on both.
+      const Tensor<1, dim> v = step.velocity(boundary, cloud.position[particle]);
+      for (const int facet : cloud.contact_facets[particle])
+        if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].boundary != boundary)
+        {
+          const Tensor<1, dim> u = step.velocity(walls.facets()[facet].boundary, cloud.position[particle]);
+          if (std::abs(walls.normal(facet) * v - speed(facet)) > rounding * (v.norm() + u.norm()))
+            return sliding(particle, cloud, speed);
+        }
     }
     NodeConstraint<dim> result;
     result.n_fixed = dim;

@@ -107,6 +107,50 @@ void test_joints()
   check("and stands", contact.constraint(i, cloud).n_fixed == 2);
 }
 
+/// A wall along (3, 4) that moves along itself, and a floor on which a wall comes along, in a step of 0.1 s.
+void test_moving()
+{
+  const auto move = [](const Point<2> &by) {
+    RigidMotion<2> motion;
+    motion.shift = by;
+    return motion;
+  };
+  const auto moved = [](std::vector<WallFacet<2>> facets, const std::vector<Point<2>> &by) {
+    for (unsigned int f = 0; f < facets.size(); ++f)
+      for (Point<2> &corner : facets[f].corners)
+        corner += by[f];
+    return Walls<2>(facets);
+  };
+  const double h = 0.1;
+  {
+    const std::vector<WallFacet<2>> facets = {line({0., 0.}, {3., 4.}, true, 0),
+                                              line({0., 9.}, {1., 9.}, false, 1)};
+    const Walls<2> start(facets), end = moved(facets, {{0.03, 0.04}, {0., 0.}});
+    const WallStep<2> step(start, end, {move({0.03, 0.04}), {}}, 0.1);
+    ParticleCloud<2> cloud;
+    cloud.append({1.5 + 4e-10, 2. - 3e-10}, ParticleKind::fluid, h);
+    cloud.contact_facets[0][0] = 0;
+    const auto constraint      = WallContact<2>(step).constraint(0, cloud);
+    check("sticks to a wall that moves along itself",
+          constraint.n_fixed == 2 && constraint.moves &&
+            (constraint.velocity - Point<2>(0.3, 0.4)).norm() < 1e-12);
+  }
+  for (const bool wall_sticks : {false, true})
+  {
+    const std::vector<WallFacet<2>> facets = {line({-1., 0.}, {2., 0.}, true, 0),
+                                              line({0., 0.}, {0., 1.}, wall_sticks, 1)};
+    const Walls<2> start(facets), end = moved(facets, {{0., 0.}, {0.02, 0.}});
+    const WallStep<2> step(start, end, {{}, move({0.02, 0.})}, 0.1);
+    ParticleCloud<2> cloud;
+    const Point<2> corner(contact_offset * h, contact_offset * h);
+    cloud.append(corner, ParticleKind::fluid, h);
+    cloud.contact_facets[0] = {{1, 0}};
+    const auto constraint   = WallContact<2>(step).constraint(0, cloud);
+    check("pushed along the floor that it sticks to",
+          constraint.n_fixed == 2 && (constraint.velocity - Point<2>(0.2, 0.)).norm() < 1e-6);
+  }
+}
+
 template <int dim>
 unsigned int number_at(const std::vector<std::pair<Point<dim>, unsigned int>> &points,
                        const Point<dim> &place)
@@ -169,6 +213,7 @@ int main()
   test_sticking();
   test_sides();
   test_joints();
+  test_moving();
   test_sharp_edges();
   return n_failed > 0;
 }

@@ -337,12 +337,28 @@ def test_browser(lahar, chromium, directory):
               and not browser.evaluate('document.getElementById("complaint").hidden'))
 
 
-def main():
-    group, lahar, chromium = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3]
-    for module in ("numpy", "matplotlib", "plotly"):
+def skip_without(*modules):
+    for module in modules:
         if not importlib.util.find_spec(module):
             print(f"not tested: {module} is missing")
             sys.exit(SKIPPED)
+
+
+def run_tests(test, chromium, *modules):
+    """Call test(directory, browser), with None where there is no Chromium, and exit with 1 if a check has failed."""
+    skip_without(*modules)
+    with tempfile.TemporaryDirectory() as directory:
+        if os.path.isfile(chromium):
+            with Browser(chromium) as browser:
+                test(directory, browser)
+        else:
+            test(directory, None)
+    sys.exit(1 if failed else 0)
+
+
+def main():
+    group, lahar, chromium = sys.argv[1], os.path.abspath(sys.argv[2]), sys.argv[3]
+    skip_without("numpy", "matplotlib", "plotly")
     if group == "browser" and not os.path.isfile(chromium):
         print("not tested in a browser: there is no Chromium")
         sys.exit(SKIPPED)

@@ -6,7 +6,6 @@ half written: the page has what is there, takes over what comes without a reload
 Usage: report_follow.py LAHAR CHROMIUM. Exit status 77 (skipped) without numpy or plotly; without Chromium only what the
 server says is tested.
 """
-import importlib.util
 import json
 import os
 import re
@@ -16,7 +15,6 @@ import socket
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import urllib.error
 import urllib.request
@@ -24,9 +22,8 @@ import urllib.request
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path.insert(0, HERE)
-from browser import Browser  # noqa: E402
-from report import PLANE, REPORT, SKIPPED, Page, compute, show, write_report  # noqa: E402
-from program_test import check, failed  # noqa: E402
+from report import PLANE, REPORT, Page, compute, run_tests, show, write_report  # noqa: E402
+from program_test import check  # noqa: E402
 from scripts import is_refused, run_script  # noqa: E402
 
 PATIENCE = 120.  # s, on a busy machine
@@ -245,23 +242,16 @@ def test_ends(directory, whole):
     check("neither -o nor --follow is refused", is_refused(result, "-o", "--follow"), result.stderr)
 
 
+def test_all(lahar, directory, browser):
+    whole = compute(lahar, directory, "whole", PLANE)
+    test_following(directory, whole, browser)
+    test_unreadable_ends(directory, whole, browser)
+    test_ends(directory, whole)
+
+
 def main():
     lahar, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
-    for module in ("numpy", "plotly"):
-        if not importlib.util.find_spec(module):
-            print(f"not tested: {module} is missing")
-            sys.exit(SKIPPED)
-    with tempfile.TemporaryDirectory() as directory:
-        whole = compute(lahar, directory, "whole", PLANE)
-        if os.path.isfile(chromium):
-            with Browser(chromium) as browser:
-                test_following(directory, whole, browser)
-                test_unreadable_ends(directory, whole, browser)
-        else:
-            test_following(directory, whole, None)
-            test_unreadable_ends(directory, whole, None)
-        test_ends(directory, whole)
-    sys.exit(1 if failed else 0)
+    run_tests(lambda directory, browser: test_all(lahar, directory, browser), chromium, "numpy", "plotly")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ and estimate, in the plane and in space; a run's directory is left alone.
 Usage: report_start.py LAHAR CHROMIUM. Exit status 77 (skipped) without numpy or plotly; without Chromium the pages are
 not opened.
 """
-import importlib.util
 import os
 import re
 import subprocess
@@ -15,9 +14,8 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-from browser import Browser  # noqa: E402
-from report import PLANE, REPORT, SKIPPED, SPACE, Page, area, compute, write_report  # noqa: E402
-from program_test import ENVIRONMENT, check, failed, new_case  # noqa: E402
+from report import PLANE, REPORT, SPACE, Page, area, compute, run_tests, write_report  # noqa: E402
+from program_test import ENVIRONMENT, check, new_case  # noqa: E402
 from scripts import is_refused, run_script  # noqa: E402
 
 FILES = {"parameters.prm", "log", "solution.pvd", "solution-00000.vtu", "walls.vtu"}
@@ -112,17 +110,7 @@ def test_start(lahar, directory, browser):
 
 def main():
     lahar, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
-    for module in ("numpy", "plotly"):
-        if not importlib.util.find_spec(module):
-            print(f"not tested: {module} is missing")
-            sys.exit(SKIPPED)
-    with tempfile.TemporaryDirectory() as directory:
-        if os.path.isfile(chromium):
-            with Browser(chromium) as browser:
-                test_start(lahar, directory, browser)
-        else:
-            test_start(lahar, directory, None)
-    sys.exit(1 if failed else 0)
+    run_tests(lambda directory, browser: test_start(lahar, directory, browser), chromium, "numpy", "plotly")
 
 
 if __name__ == "__main__":

@@ -5,17 +5,14 @@ snapshot where their motion has them, in the page's data and, where there is Chr
 
 Usage: report_walls.py LAHAR CHROMIUM. Exit status 77 (skipped) without numpy, matplotlib or plotly.
 """
-import importlib.util
 import math
 import os
 import sys
-import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
-from report import RUN, SKIPPED, compute, show, write_report  # noqa: E402
-from browser import Browser  # noqa: E402
-from program_test import check, failed, fluid, parts, section, wall  # noqa: E402
+from report import RUN, compute, run_tests, show, write_report  # noqa: E402
+from program_test import check, fluid, parts, section, wall  # noqa: E402
 
 SPEED, TURN = 0.5, 6.  # m/s, 1/s
 # The gate begins where the wall before it ends, and leaves it.
@@ -89,17 +86,7 @@ def test_walls(lahar, directory, browser):
 
 def main():
     lahar, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
-    for module in ("numpy", "matplotlib", "plotly"):
-        if not importlib.util.find_spec(module):
-            print(f"not tested: {module} is missing")
-            sys.exit(SKIPPED)
-    with tempfile.TemporaryDirectory() as directory:
-        if os.path.isfile(chromium):
-            with Browser(chromium) as browser:
-                test_walls(lahar, directory, browser)
-        else:
-            test_walls(lahar, directory, None)
-    sys.exit(1 if failed else 0)
+    run_tests(lambda directory, browser: test_walls(lahar, directory, browser), chromium, "numpy", "matplotlib", "plotly")
 
 
 if __name__ == "__main__":
