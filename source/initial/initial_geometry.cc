@@ -100,8 +100,16 @@ namespace Lahar
             "fluid " + body->name());
     for (const WallShape<dim> &wall : wall_shapes)
     {
-      if (wall.lands) // particles on its sharp edges at most
+      if (wall.lands) // particles on its sharp edges at most, but its surface is looked at at this distance
       {
+        if (const double n = wall.estimate_size(h); !(n <= max_particles))
+        {
+          std::ostringstream message;
+          message << "Parameter 'Mesh size' is " << h << " m, of which boundary " << wall.name
+                  << " is about " << n << (dim == 2 ? " long" : " squared large")
+                  << ". Allowed: as many as 'Largest number of particles', which is " << max_particles << ".";
+          throw InputError(message.str());
+        }
         double n = 0.;
         if (dim == 3 && wall.sticks)
           for (const WallFacet<dim> &facet : wall.facets())
