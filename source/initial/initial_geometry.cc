@@ -25,6 +25,9 @@ namespace Lahar
     /// to it.
     constexpr double contact = 0.1;
 
+    /// Mesh sizes, or squares of them, that a wall may be large: it is looked at in so many places.
+    constexpr double largest_wall = 1e7;
+
     template <int dim>
     bool is_near(const Walls<dim> &walls, const Point<dim> &point, const double distance)
     {
@@ -102,12 +105,12 @@ namespace Lahar
     {
       if (wall.lands) // particles on its sharp edges at most, but its surface is looked at at this distance
       {
-        if (const double n = wall.estimate_size(h); !(n <= max_particles))
+        if (const double n = wall.estimate_size(h); !(n <= largest_wall))
         {
           std::ostringstream message;
           message << "Parameter 'Mesh size' is " << h << " m, of which boundary " << wall.name
                   << " is about " << n << (dim == 2 ? " long" : " squared large")
-                  << ". Allowed: as many as 'Largest number of particles', which is " << max_particles << ".";
+                  << ". Allowed: at most " << largest_wall << ".";
           throw InputError(message.str());
         }
         double n = 0.;

@@ -202,7 +202,7 @@ def test_refused():
     # What would need too much memory.
     refused("too many particles", ["'Mesh size'", "1e-09", "fluid 'fluid'", "Largest number of particles", "10000000"],
             *set_entry("Mesh size", "1e-9"))
-    refused("walls of too many particles", ["'Mesh size'", "boundary 'walls'", "Largest number of particles"],
+    refused("walls out of all scale", ["'Mesh size'", "boundary 'walls'", "at most 1e+07"],
             *set_entry(points, "0, 0.4 : 0, 0 : 1e30, 0"))
     refused("more particles than set", ["'Mesh size'", "fluid 'fluid'", "which is 10,"],
             *set_entry("Largest number of particles", "10"))
