@@ -3,13 +3,22 @@
 """Maps of runs in space: the depth of the fluid, measured upwards, at several times over contour lines of the ground.
 
     contrib/plot/depth_map.py output-landslide --times 0 10 20 30 --cell 30 --contours 25 --to landslide.png
-    contrib/plot/depth_map.py output-landslide --peak peak.asc --origin 431000 5212000     # the largest depth, for a GIS
+    contrib/plot/depth_map.py output-landslide --rasters maps --origin 431000 5212000     # for a GIS
 
 The depth of a cell of the map is the volume of fluid above it over its area; tetrahedra are divided among cells by points
-inside them. Coordinates are those of the run; a grid gets the --origin that the case subtracts added again.
+inside them. Coordinates are those of the run; a raster gets the --origin that the case subtracts added again.
+
+The rasters of --rasters are ESRI ASCII grids made of all snapshots, without a value where there never was fluid:
+
+    largest_depth.asc       m
+    largest_speed.asc       m/s, of the mean over the depth of the speed
+    largest_pressure.asc    Pa, of the largest one over the depth, positive where the fluid pushes
+    arrival_time.asc        s, of the first snapshot in which the fluid is at least --least deep; others have no value
+    deposit.asc             m, the depth in the last snapshot
 """
 import argparse
 import pathlib
+import shutil
 
 import matplotlib
 
@@ -30,13 +39,17 @@ def parse_arguments():
     parser.add_argument("--to", type=pathlib.Path, default=pathlib.Path("depth.png"), help="the picture (default: depth.png)")
     parser.add_argument("--cell", type=float, help="of the map, m (default: a sixtieth of the ground)")
     parser.add_argument("--contours", type=float, help="height between contour lines, m (default: about ten lines)")
-    parser.add_argument("--peak", type=pathlib.Path, help="write the largest depth over all snapshots as ESRI ASCII grid")
+    parser.add_argument("--rasters", type=pathlib.Path, help="directory for rasters made of all snapshots")
+    parser.add_argument("--least", type=float, default=0., help="depth with which the fluid has arrived, m (default: any)")
+    parser.add_argument("--projection", type=pathlib.Path, help=".prj file of the terrain; each raster gets a copy")
     parser.add_argument("--origin", type=float, nargs=2, default=(0., 0.), help="x and y that the case subtracts from its map")
     arguments = parser.parse_args()
     for name in ("cell", "contours"):
         value = getattr(arguments, name)
         if value is not None and not 0. < value < float("inf"):
             raise OutputError(f"--{name} is {value:g}; allowed: a length above 0, in m")
+    if not 0. <= arguments.least < float("inf"):
+        raise OutputError(f"--least is {arguments.least:g}; allowed: a depth of 0 or more, in m")
     return arguments
 
 
@@ -59,18 +72,40 @@ class DepthMap:
         upper = self.lower + self.cell * self.shape
         return self.lower[0], upper[0], self.lower[1], upper[1]
 
-    def depth(self, mesh):
-        """Of the fluid, m, by row along y and column along x; nan where there is none."""
+    def parts(self, mesh):
+        """Of the parts of tetrahedra that lie above the map: the cell's row along y and column along x, the volume, the
+        index of the tetrahedron and the shares of its corners in a field's value there."""
         corners = mesh.points[mesh.cells]
         volume = abs(np.linalg.det(corners[:, 1:] - corners[:, :1])) / 6.
         inside = shares()
         places = np.floor((np.einsum("pk,ckd->cpd", inside, corners)[..., :2] - self.lower) / self.cell).astype(int)
-        weights = np.repeat(volume / len(inside), len(inside))
-        places = places.reshape(-1, 2)
-        known = ((places >= 0) & (places < self.shape)).all(axis=1)
+        known = ((places >= 0) & (places < self.shape)).all(axis=2)
+        cell, point = np.nonzero(known)
+        return places[known][:, ::-1].T, volume[cell] / len(inside), cell, inside[point]
+
+    def depth(self, mesh):
+        """Of the fluid, m, by row along y and column along x; nan where there is none."""
+        places, volumes, _, _ = self.parts(mesh)
+        return self.depth_of(places, volumes)
+
+    def depth_of(self, places, volumes):
         depth = np.zeros(self.shape[::-1])
-        np.add.at(depth, (places[known, 1], places[known, 0]), weights[known] / self.cell**2)
+        np.add.at(depth, tuple(places), volumes / self.cell**2)
         return np.where(depth > 0., depth, np.nan)
+
+    def flow(self, mesh):
+        """Depth, mean of the speed over it, and the largest pressure, each by row and column; nan where there is none."""
+        places, volumes, cells, weights = self.parts(mesh)
+        depth = self.depth_of(places, volumes)
+
+        def there(name):
+            values = mesh.at_points(name)[mesh.cells[cells]]
+            return np.einsum("pk,pk...->p...", weights, values)
+
+        speed, pressure = np.zeros(depth.shape), np.full(depth.shape, -np.inf)
+        np.add.at(speed, tuple(places), np.linalg.norm(there("velocity"), axis=1) * volumes / self.cell**2)
+        np.maximum.at(pressure, tuple(places), -there("pressure"))
+        return depth, speed / depth, np.where(depth > 0., pressure, np.nan)
 
     def write(self, path, values, origin):
         """An ESRI ASCII grid."""
@@ -79,6 +114,24 @@ class DepthMap:
                        f"yllcorner {self.lower[1] + origin[1]:.10g}\ncellsize {self.cell:g}\nNODATA_value -9999\n")
             for row in np.nan_to_num(values, nan=-9999.)[::-1]:
                 file.write(" ".join(f"{value:.4g}" for value in row) + "\n")
+
+
+def write_rasters(grid, snapshots, arguments):
+    """The rasters of --rasters, see above."""
+    rasters = {name: np.full(grid.shape[::-1], np.nan)
+               for name in ("largest_depth", "largest_speed", "largest_pressure", "arrival_time")}
+    for time, path in snapshots:
+        depth, speed, pressure = grid.flow(read_vtu(path, 3))
+        for name, values in ("largest_depth", depth), ("largest_speed", speed), ("largest_pressure", pressure):
+            rasters[name] = np.fmax(rasters[name], values)
+        arrives = np.isnan(rasters["arrival_time"]) & (depth >= arguments.least)
+        rasters["arrival_time"][arrives] = time
+        rasters["deposit"] = depth
+    arguments.rasters.mkdir(parents=True, exist_ok=True)
+    for name, values in rasters.items():
+        grid.write(arguments.rasters / f"{name}.asc", values, arguments.origin)
+        if arguments.projection:
+            shutil.copyfile(arguments.projection, arguments.rasters / f"{name}.prj")
 
 
 def contour_levels(lowest, highest, step):
@@ -123,11 +176,8 @@ def main():
     axes[0][0].set_ylabel("y (m)")
     figure.colorbar(image, ax=axes[0].tolist(), label="depth (m)", shrink=0.8)
     save(figure, arguments.to)
-    if arguments.peak:
-        peak = np.zeros(grid.shape[::-1])
-        for _, path in snapshots:
-            peak = np.fmax(peak, grid.depth(read_vtu(path, 3)))
-        grid.write(arguments.peak, np.where(peak > 0., peak, np.nan), arguments.origin)
+    if arguments.rasters:
+        write_rasters(grid, snapshots, arguments)
 
 
 if __name__ == "__main__":

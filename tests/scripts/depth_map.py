@@ -23,7 +23,7 @@ ORIGIN = 431000., 5212000.
 CUBE = ((0, 1, 3, 7), (0, 1, 5, 7), (0, 2, 3, 7), (0, 2, 6, 7), (0, 4, 5, 7), (0, 4, 6, 7))  # by bits z, y, x of a corner
 
 
-def write_vtu(path, kind, points, cells):
+def write_vtu(path, kind, points, cells, speed=0., pressure=lambda point: 0.):
     def array(name, type_name, values, more=""):
         return f'<DataArray Name="{name}" type="{type_name}" format="ascii"{more}>{" ".join(map(str, values))}</DataArray>'
 
@@ -33,18 +33,21 @@ def write_vtu(path, kind, points, cells):
                    + array("Points", "Float64", [x for point in points for x in point], ' NumberOfComponents="3"')
                    + "</Points><Cells>" + array("connectivity", "Int32", [i for cell in cells for i in cell])
                    + array("offsets", "Int32", [len(cell) * (i + 1) for i, cell in enumerate(cells)])
-                   + array("types", "UInt8", [kind] * len(cells))
-                   + "</Cells></Piece></UnstructuredGrid></VTKFile>")
+                   + array("types", "UInt8", [kind] * len(cells)) + "</Cells><PointData>"
+                   + array("velocity", "Float64", len(points) * [0.6 * speed, 0., -0.8 * speed], ' NumberOfComponents="3"')
+                   + array("pressure", "Float64", map(pressure, points))
+                   + "</PointData></Piece></UnstructuredGrid></VTKFile>")
 
 
 def write_run(directory, name, height, snapshots):
-    """An output directory: ground of this height(x, y), and snapshots (points, cells) one second apart."""
+    """An output directory: ground of this height(x, y), and snapshots (points, cells) one second apart, in which the fluid
+    has a speed of 1, 2, … m/s and a pressure of −1000 Pa per metre of x."""
     folder = os.path.join(directory, name)
     os.mkdir(folder)
     write_vtu(os.path.join(folder, "walls.vtu"), TRIANGLE, [(x, y, height(x, y)) for x in (0., N_X) for y in (0., N_Y)],
               [(0, 2, 1), (1, 2, 3)])
     for k, snapshot in enumerate(snapshots):
-        write_vtu(os.path.join(folder, f"solution-{k:05}.vtu"), TETRAHEDRON, *snapshot)
+        write_vtu(os.path.join(folder, f"solution-{k:05}.vtu"), TETRAHEDRON, *snapshot, k + 1., lambda point: -1e3 * point[0])
     with open(os.path.join(folder, "solution.pvd"), "w") as file:
         file.write('<VTKFile type="Collection"><Collection>' + "".join(
             f'<DataSet timestep="{k}" part="0" file="solution-{k:05}.vtu"/>' for k in range(len(snapshots)))
@@ -77,16 +80,32 @@ def read_grid(path):
 def test_columns(directory):
     first, second = {(0, 0): 2., (1, 0): 0.5, (3, 2): 1.25}, {(1, 0): 0.75, (3, 2): 1., (2, 1): 0.1}
     write_run(directory, "columns", slope, [columns(first), columns(second)])
-    process = run_script(directory, SCRIPT, "columns", "--cell", "1", "--to", "columns.png", "--peak", "peak.asc",
-                         "--origin", *map(str, ORIGIN))
+    projection = os.path.join(directory, "terrain.prj")
+    with open(projection, "w") as file:
+        file.write("a projection")
+    process = run_script(directory, SCRIPT, "columns", "--cell", "1", "--to", "columns.png", "--rasters", "maps",
+                         "--least", "0.2", "--projection", projection, "--origin", *map(str, ORIGIN))
     check("it draws the map", process.returncode == 0 and not process.stderr
           and is_drawing(os.path.join(directory, "columns.png")), process.stderr)
-    head, values = read_grid(os.path.join(directory, "peak.asc"))
-    check("the grid lies where the map does", head == {"ncols": N_X, "nrows": N_Y, "xllcorner": ORIGIN[0],
-                                                       "yllcorner": ORIGIN[1], "cellsize": 1., "NODATA_value": -9999.}, head)
-    exact = {cell: max(first.get(cell, 0.), second.get(cell, 0.)) for cell in {**first, **second}}
-    check("its values are the largest depths", values.keys() == exact.keys()
-          and all(abs(values[cell] / exact[cell] - 1.) < 1e-3 for cell in exact), values)
+
+    def is_raster(name, exact, tolerance):
+        head, values = read_grid(os.path.join(directory, "maps", name + ".asc"))
+        check(name + " lies where the map does", head == {
+            "ncols": N_X, "nrows": N_Y, "xllcorner": ORIGIN[0], "yllcorner": ORIGIN[1], "cellsize": 1.,
+            "NODATA_value": -9999.}, head)
+        check(name + " is that of the columns", values.keys() == exact.keys()
+              and all(abs(values[cell] - exact[cell]) <= tolerance * exact[cell] for cell in exact), values)
+        with open(os.path.join(directory, "maps", name + ".prj")) as file:
+            check(name + " has the terrain's projection", file.read() == "a projection")
+
+    wet = {**first, **second}
+    is_raster("largest_depth", {cell: max(first.get(cell, 0.), second.get(cell, 0.)) for cell in wet}, 1e-3)
+    is_raster("largest_speed", {cell: 2. if cell in second else 1. for cell in wet}, 1e-3)
+    # Of the points inside tetrahedra the farthest along x is a quarter of a division, of which there are four, inside.
+    is_raster("largest_pressure", {(i, j): 1e3 * (i + 1. - 1. / 16.) for i, j in wet}, 1e-3)
+    is_raster("arrival_time", {cell: 0. if cell in first else 1. for cell in wet if max(
+        first.get(cell, 0.), second.get(cell, 0.)) >= 0.2}, 0.)
+    is_raster("deposit", second, 1e-3)
 
 
 def test_tetrahedron(directory):
@@ -95,9 +114,9 @@ def test_tetrahedron(directory):
     volume = abs(ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)) / 6.
     cell = 0.01
     write_run(directory, "tetrahedron", slope, [(corners, [(0, 1, 2, 3)])])
-    process = run_script(directory, SCRIPT, "tetrahedron", "--cell", str(cell), "--peak", "single.asc")
+    process = run_script(directory, SCRIPT, "tetrahedron", "--cell", str(cell), "--rasters", ".")
     check("it draws one tetrahedron", process.returncode == 0, process.stderr)
-    _, values = read_grid(os.path.join(directory, "single.asc"))
+    _, values = read_grid(os.path.join(directory, "deposit.asc"))
     total = sum(values.values())
     check("the sum of depth times area is its volume", abs(total * cell**2 / volume - 1.) < 1e-3, total * cell**2, volume)
     for d, name in enumerate("xy"):
@@ -120,7 +139,8 @@ def test_special(directory):
                                     ("a run without ground", ("walls.vtu",), "no_ground"),
                                     ("a run that is not there", ("nowhere",), "nowhere"),
                                     ("a cell of no size", ("--cell", "allowed"), "flat", "--cell", "0"),
-                                    ("contours of no distance", ("--contours", "allowed"), "flat", "--contours", "-1")):
+                                    ("contours of no distance", ("--contours", "allowed"), "flat", "--contours", "-1"),
+                                    ("a negative depth", ("--least", "allowed"), "flat", "--least", "-1")):
         process = run_script(directory, SCRIPT, *arguments, "--to", "refused.png")
         check(f"{what} is refused", is_refused(process, *words), process.returncode, process.stderr)
 
