@@ -108,9 +108,9 @@ namespace Lahar
         if (const double n = wall.estimate_size(h); !(n <= largest_wall))
         {
           std::ostringstream message;
-          message << "Parameter 'Mesh size' is " << h << " m, of which boundary " << wall.name
-                  << " is about " << n << (dim == 2 ? " long" : " squared large")
-                  << ". Allowed: at most " << largest_wall << ".";
+          message << "Parameter 'Mesh size' is " << h << " m, of which boundary " << wall.name << " is about "
+                  << n << (dim == 2 ? " long" : " squared large") << ". Allowed: at most " << largest_wall
+                  << ".";
           throw InputError(message.str());
         }
         double n = 0.;

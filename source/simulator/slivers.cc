@@ -32,7 +32,7 @@ namespace Lahar
           for (unsigned int b = 0; b < a; ++b)
             mean_edge += x[a].distance(x[b]) / 6.;
         const auto n_contacts = std::count_if(cell.begin(), cell.end(), [&](const unsigned int i) {
-          return cloud.kind[i] != ParticleKind::fluid || cloud.in_contact(i);
+          return cloud.kind[i] != ParticleKind::fluid;
         });
         slivers[c]            = n_contacts <= n_contacts_allowed &&
                      signed_volume<dim>(x) < largest_volume * std::pow(mean_edge, 3) / (6. * std::sqrt(2.));

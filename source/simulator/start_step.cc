@@ -67,35 +67,66 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::slow_down(std::vector<Tensor<1, dim>> &velocities)
   {
-    // The vertices of flattened simplices move less; if they do not move at all, nothing is flattened. Walls and solids
-    // keep their velocities; a driven solid may leave no room.
+    // The vertices of flattened simplices move less, down to not at all, or, where nodes push them that move whatever the
+    // fluid does, down to the velocity of these. Walls and driven solids keep theirs, and may leave no room.
     const std::vector<Tensor<1, dim>> expected = velocities;
+    const std::vector<double> old_volumes      = fluid.old_volumes();
+    std::vector<double> motion(constraints.size(), 1.), is_pushed(constraints.size(), 0.);
+    std::vector<Tensor<1, dim>> least(constraints.size());
+    for (unsigned int node = 0; node < constraints.size(); ++node)
+      least[node] = constraints[node].velocity;
     fluid.move(by_vertex(velocities));
-    std::vector<double> motion(constraints.size(), 1.);
-    const std::vector<double> old_volumes = fluid.old_volumes();
-    for (bool any_shorter = true; any_shorter;)
+    for (bool any = true; any;)
     {
-      any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(old_volumes))
+      any = false;
+      std::vector<Tensor<1, dim>> push(constraints.size());
+      std::vector<unsigned int> n_pushes(constraints.size(), 0);
+      std::vector<bool> is_slower(constraints.size(), false);
+      for (const unsigned int c : fluid.shrinking_cells(old_volumes))
       {
-        const unsigned int node = system.local_number(v);
-        if (constraints[node].n_fixed < dim && motion[node] > 0.)
-        {
-          any_shorter  = true;
-          motion[node] = std::max(0., motion[node] - 0.25);
-        }
+        Tensor<1, dim> mean;
+        unsigned int n = 0;
+        for (const unsigned int v : mesh->cells()[c])
+          if (const unsigned int node = system.local_number(v);
+              is_pushed[node] > 0. ||
+              (constraints[node].n_fixed == dim && (constraints[node].moves || is_solid[node])))
+          {
+            mean += velocities[node];
+            ++n;
+          }
+        for (const unsigned int v : mesh->cells()[c])
+          if (const unsigned int node = system.local_number(v); constraints[node].n_fixed < dim)
+          {
+            is_slower[node] = motion[node] > 0.;
+            if (n > 0 && !(is_pushed[node] > 0.))
+            {
+              push[node] += mean / n;
+              ++n_pushes[node];
+            }
+          }
       }
-      any_shorter = !on_all_ranks(!any_shorter);
-      if (!any_shorter)
+      for (unsigned int node = 0; node < constraints.size(); ++node)
+      {
+        const NodeConstraint<dim> &prescribed = constraints[node];
+        if (is_slower[node])
+          motion[node] = std::max(0., motion[node] - 0.25);
+        if (n_pushes[node] > 0)
+        {
+          is_pushed[node] = 1.;
+          for (unsigned int a = prescribed.n_fixed; a < dim; ++a)
+            least[node] += (push[node] / n_pushes[node] * prescribed.frame[a]) * prescribed.frame[a];
+        }
+        any = any || is_slower[node] || n_pushes[node] > 0;
+      }
+      any = !on_all_ranks(!any);
+      if (!any)
         break;
       system.partition().update(motion);
-      for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-        if (motion[system.local_number(v)] < 1.)
-        {
-          const unsigned int node       = system.local_number(v);
-          const Tensor<1, dim> &of_wall = constraints[node].velocity;
-          velocities[node]              = of_wall + motion[node] * (expected[node] - of_wall);
-        }
+      system.partition().update(is_pushed);
+      system.partition().update(least);
+      for (unsigned int node = 0; node < constraints.size(); ++node)
+        if (motion[node] < 1.)
+          velocities[node] = least[node] + motion[node] * (expected[node] - least[node]);
       fluid.move(by_vertex(velocities));
     }
   }

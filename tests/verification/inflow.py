@@ -113,6 +113,7 @@ def check_space(check):
     error = np.abs(statistics["Fluid volume (m^dim)"] / (0.0048 + expected) - 1.)
     check.below("tank in space: fluid volume against what was there and came in, mean", error.mean(), 5e-3)
     check.below("tank in space: the same at the end", error[-1], 5e-3)
+    check.below("tank in space: repeated steps", statistics["Rejected steps"][-1], 0.5)
 
 
 def check_resumed(check):

@@ -20,8 +20,8 @@ namespace Lahar
    * those of its corners at the end (FlatPressureDivergence): it may turn inside out, stops nothing and loses no volume.
    *
    * @return by cell of @p mesh whether V < 0.2 l³/(6 √2), l the mean length of its edges, and it is no contact: at most one
-   * corner is a wall's, a solid's or slides on a wall. Contact may not turn inside out, or fluid would pass through the
-   * wall.
+   * corner is a particle of a wall or of a solid. Contact by cells may not turn inside out, or fluid would pass through the
+   * wall; particles that land on a wall do not pass through it whatever their cells do (WallContact).
    */
   template <int dim>
   std::vector<bool> find_slivers(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud);
