@@ -63,9 +63,11 @@ def test_still_tanks(check):
 def test_plane_flow(check):
     space = read_run(check.run("three_dimensions/plane_collapse.prm"))
     plane = read_run(check.run("three_dimensions/plane_collapse_2d.prm", f"Mesh size={0.5 * SIZE}"))
+    # The front jumps by up to a mesh size when a particle lands before it: it is compared in the mean over the second half.
+    half = space["Time (s)"] > 0.06
     for name in ("front (m)", "height (m)"):
-        difference = abs(space[name][-1] - plane[name][-1])
-        check.below(f"slab in space against the plane, {name[:-4]}, over the mesh size", difference / SIZE, 0.5)
+        difference = abs(space[name] - plane[name])[half].mean()
+        check.below(f"slab in space against the plane, {name[:-4]}, mean over the mesh size", difference / SIZE, 0.25)
     beyond = max((-space["left (m)"]).max(), (space["right (m)"] - WIDTH).max(), (-space["low (m)"]).max())
     check.below("slab in space, fluid beyond walls and floor over the mesh size", beyond / SIZE, 1e-9)
     for cause, change, limit in zip(("solver", "remeshing"), volume_changes(space), (0.003, 0.01)):
