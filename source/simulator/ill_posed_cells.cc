@@ -16,12 +16,11 @@ namespace Lahar
 
 
   template <int dim>
-  std::string IllPosedCells<dim>::news(const Snapshot<dim> &snapshot)
+  void IllPosedCells<dim>::add(const Snapshot<dim> &snapshot)
   {
-    if (has_warned || !snapshot.law.may_be_ill_posed())
-      return "";
+    if (!snapshot.law.may_be_ill_posed())
+      return;
     const auto &cells = snapshot.mesh.particle_cells();
-    double n_flowing = 0., n_ill_posed = 0.;
     for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
       const double rate = cell.strain_rate, pressure = cell.confining_pressure();
       if (!snapshot.cloud.is_own(cells[c]) || pressure == 0. || !snapshot.law.is_yielded(rate, pressure))
@@ -29,18 +28,24 @@ namespace Lahar
       ++n_flowing;
       n_ill_posed += !snapshot.law.is_well_posed(rate, pressure);
     });
-    n_flowing   = snapshot.sum_of_ranks(n_flowing);
-    n_ill_posed = snapshot.sum_of_ranks(n_ill_posed);
-    if (n_ill_posed <= largest_quiet_part * n_flowing)
+  }
+
+
+
+  template <int dim>
+  std::string IllPosedCells<dim>::warning(const MPI_Comm &communicator) const
+  {
+    const double all       = Utilities::MPI::sum(n_flowing, communicator),
+                 ill_posed = Utilities::MPI::sum(n_ill_posed, communicator);
+    if (ill_posed <= largest_quiet_part * all)
       return "";
-    has_warned = true;
     std::ostringstream text;
+    text.precision(3);
     text
-      << "Warning: time " << snapshot.time
-      << " s: the inertial number is outside the range in which the equations "
-      << "of the fluid's law are well-posed in " << 100. * n_ill_posed / n_flowing << " % of the "
-      << n_flowing
-      << " cells that flow under pressure. Bands of shear there are as wide as the cells, whatever 'Mesh size' is.";
+      << "Warning: in " << 100. * ill_posed / all
+      << " % of the cells that flowed under pressure, all steps together, the inertial number was outside the range "
+         "in which the equations of the fluid's law are well-posed. Bands of shear there are as wide as the cells, "
+         "whatever 'Mesh size' is.";
     return text.str();
   }
 

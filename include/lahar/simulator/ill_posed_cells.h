@@ -10,18 +10,21 @@
 namespace Lahar
 {
   /**
-   * Tells once a run if the equations of the fluid's law are ill-posed in many of the cells that flow
+   * Counts the cells that flow under pressure and those of them in which the equations of the fluid's law are ill-posed
    * (FluidLaw::is_well_posed()): what is seen there depends on the mesh.
    */
   template <int dim>
   class IllPosedCells
   {
   public:
-    /// A warning at the first call at which there are many of them, and nothing otherwise. Collective.
-    std::string news(const Snapshot<dim> &snapshot);
+    /// Count those of a step.
+    void add(const Snapshot<dim> &snapshot);
+
+    /// A warning where many of all that were counted are ill-posed, and nothing otherwise. Collective.
+    std::string warning(const MPI_Comm &communicator) const;
 
   private:
-    bool has_warned = false;
+    double n_flowing = 0., n_ill_posed = 0.; ///< this rank's own
   };
 } // namespace Lahar
 
