@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/material/barker_gray.h>
-#include <lahar/material/regularized_power.h>
 #include <lahar/utilities/factory.h>
 
 #include <cmath>
@@ -31,7 +30,10 @@ namespace Lahar
       "Viscosity", "0",
       "Viscosity μ_f in Pa s, zero or above, that is added where there is pressure and where "
       "there is none.");
-    RegularizedPower::declare_smallest_rate(prm);
+    prm.declare_positive(
+      "Smallest strain rate", "0.01",
+      "Strain rate ε in 1/s, above zero, below which the viscosity is nearly constant. With less than "
+      "0.001 Newton's method may fail.");
   }
 
 
@@ -45,7 +47,7 @@ namespace Lahar
     if (alpha >= largest_alpha)
       prm.throw_wrong_value("Creep exponent", "a number above 0 and below 2, where creep would be ill-posed");
     mu_f    = prm.get_positive("Viscosity", true);
-    epsilon = RegularizedPower::parse_smallest_rate(prm);
+    epsilon = prm.get_positive("Smallest strain rate");
 
     // From below to where it is well-posed, then between the last two.
     double upper = lowest_I;

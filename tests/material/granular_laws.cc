@@ -180,7 +180,9 @@ void test_barker_gray(const Grains &grains)
 {
   const std::string name  = "Barker-Gray, " + grains.name;
   const long double slope = 0.05L, alpha = 1.9L, epsilon = 1e-4L;
-  const auto law = grains.law("mu(I) Barker-Gray", {{"Friction slope", "0.05"}, {"Creep exponent", "1.9"}});
+  const auto law = grains.law("mu(I) Barker-Gray", {{"Friction slope", "0.05"},
+                                                    {"Creep exponent", "1.9"},
+                                                    {"Smallest strain rate", "1e-4"}});
 
   // The least I from which on the upper branch is well-posed: C in the derivative's own terms, by bisection.
   const auto C = [&](const long double I) {
