@@ -51,7 +51,7 @@ namespace Lahar
 
     // From below to where it is well-posed, then between the last two.
     double upper = lowest_I;
-    while (upper < highest_I && !GrainFriction::is_well_posed(grains.friction(upper, mu_infinity)))
+    while (upper < highest_I && !GrainFriction::is_well_posed(grains.friction(upper)))
       upper *= I_factor;
     if (upper >= highest_I)
       prm.throw_wrong_value(
@@ -64,7 +64,7 @@ namespace Lahar
       const double middle = 0.5 * (lower + upper);
       if (middle <= lower || middle >= upper)
         break;
-      (GrainFriction::is_well_posed(grains.friction(middle, mu_infinity)) ? upper : lower) = middle;
+      (GrainFriction::is_well_posed(grains.friction(middle)) ? upper : lower) = middle;
     }
     I_1              = upper;
     const double mu1 = grains.friction(I_1, mu_infinity).mu;

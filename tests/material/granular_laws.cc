@@ -186,7 +186,7 @@ void test_barker_gray(const Grains &grains)
 
   // The least I from which on the upper branch is well-posed: C in the derivative's own terms, by bisection.
   const auto C = [&](const long double I) {
-    const Fad x(2, 0, I), mu = grains.mu(x, slope);
+    const Fad x(2, 0, I), mu = grains.mu(x);
     const long double nu = mu.dx(0) * I / mu.val();
     return 4.L * nu * nu - 4.L * nu + mu.val() * mu.val() * (1.L - nu / 2.L) * (1.L - nu / 2.L);
   };
@@ -251,11 +251,10 @@ void test_refused()
                              [&, l = law, e = entry, v = value]() {
                                make_law(l, {{e, v}});
                              });
-  check_throws<InputError>(
-    "Barker-Gray: a friction that is nowhere well-posed is refused",
-    {"'mu(I) Barker-Gray/Dynamic friction'", "'0.381'", "Allowed", "well-posed"}, [] {
-      make_law("mu(I) Barker-Gray", {{"Dynamic friction", "0.381"}, {"Friction slope", "0"}});
-    });
+  check_throws<InputError>("Barker-Gray: a friction that is nowhere well-posed is refused",
+                           {"'mu(I) Barker-Gray/Dynamic friction'", "'0.381'", "Allowed", "well-posed"}, [] {
+                             make_law("mu(I) Barker-Gray", {{"Dynamic friction", "0.381"}});
+                           });
 }
 
 int main()

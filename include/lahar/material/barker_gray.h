@@ -14,8 +14,8 @@ namespace Lahar
    *
    *   μ(I) = (μ_s I0 + μ_d I + μ_∞ I²)/(I0 + I)  for I > I1,   μ(I) = sqrt(α/ln(A/I))  for I ≤ I1,
    *
-   * I1 the least inertial number from which on the first is well-posed (GrainFriction::is_well_posed()), A such that μ is
-   * continuous. μ → 0 for I → 0: there is no yield stress, and all of the stress is viscous,
+   * I1 the least inertial number from which on the first is well-posed even for μ_∞ = 0 (GrainFriction::is_well_posed()), A
+   * such that μ is continuous. μ → 0 for I → 0: there is no yield stress, and all of the stress is viscous,
    *
    *   μ_eff(γ̇, P) = μ_f + μ(I(γ̂, P)) P/γ̂,   γ̂ = sqrt(γ̇² + ε²).
    */
