@@ -29,12 +29,12 @@ namespace Lahar
       epsilon = prm.get_positive("Regularization strain rate");
     }
 
-    double yield_stress() const override
+    Value yield_stress(const double /*pressure*/) const override
     {
-      return tau_0;
+      return {tau_0};
     }
 
-    Value viscous_part(const double /*strain_rate*/) const override
+    Value viscous_part(const double /*strain_rate*/, const double /*pressure*/) const override
     {
       return {mu, 0.};
     }

@@ -90,7 +90,7 @@ namespace Lahar
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
       const double edge    = cell.edge();
-      const double mu_eff  = law.effective_viscosity(cell.strain_rate).value;
+      const double mu_eff  = law.effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
       const double mu      = std::min(mu_eff, viscosity_limit);
       const double inertia = 2. * law.density() / state.time_step;
       double speed         = 0.;

@@ -79,24 +79,25 @@ namespace Lahar
       if (linearization == ViscosityLinearization::picard || rate < std::numeric_limits<double>::min())
         return tangent;
 
-      const double tau_0              = cell.law->yield_stress();
+      const double pressure           = cell.confining_pressure();
+      const double tau_y              = cell.law->yield_stress(pressure).value;
       const FluidLaw::Value plastic   = cell.law->plastic_part(rate);
-      const double viscous_derivative = cell.law->viscous_part(rate).derivative;
+      const double viscous_derivative = cell.law->viscous_part(rate, pressure).derivative;
       tangent.A                       = cell.deviator;
 
       tangent.coefficient = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
       tangent.B = 2. * viscous_derivative / rate * cell.deviator;
       if (linearization == ViscosityLinearization::newton)
-        tangent.B += plastic_weight * 2. * tau_0 * plastic.derivative / rate * cell.deviator;
-      else if (tau_0 > 0.)
+        tangent.B += plastic_weight * 2. * tau_y * plastic.derivative / rate * cell.deviator;
+      else if (tau_y > 0.)
       {
         const auto norm_of  = [](const SymmetricTensor<2, dim> &t) { return std::sqrt(0.5 * (t * t)); };
         const double gap    = norm_of(cell.plastic_dual - 2. * plastic.value * cell.deviator);
         const double norm   = norm_of(cell.plastic_dual);
         const double weight = std::min(plastic_weight,
                                        1. - std::min(largest_stiffening, stiffening_rate * gap));
-        tangent.B += weight * tau_0 * plastic.derivative / plastic.value / rate / std::max(1., norm) *
+        tangent.B += weight * tau_y * plastic.derivative / plastic.value / rate / std::max(1., norm) *
                      cell.plastic_dual;
       }
       return tangent;
@@ -110,12 +111,13 @@ namespace Lahar
   {
     using S                              = CellSystem<dim>;
     constexpr unsigned n                 = dim + 1;
-    const double viscosity               = cell.law->effective_viscosity(cell.strain_rate).value;
-    const SymmetricTensor<2, dim> stress = 2. * viscosity * cell.deviator;
-    const ViscousTangent<dim> tangent    = viscous_tangent(cell, viscosity, linearization, plastic_weight);
-    const auto &G                        = cell.gradients;
-    const double mu_V                    = tangent.viscosity * cell.volume;
-    const double c_V                     = tangent.coefficient * cell.volume;
+    const FluidLaw::Value viscosity      = cell.law->effective_viscosity(cell.strain_rate,
+                                                                         cell.confining_pressure());
+    const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator;
+    const ViscousTangent<dim> tangent = viscous_tangent(cell, viscosity.value, linearization, plastic_weight);
+    const auto &G                     = cell.gradients;
+    const double mu_V                 = tangent.viscosity * cell.volume;
+    const double c_V                  = tangent.coefficient * cell.volume;
 
     std::array<Tensor<1, dim>, n> traction, A, B;
     for (unsigned int I = 0; I < n; ++I)
@@ -142,6 +144,19 @@ namespace Lahar
               s_V * (G[J][b] * traction[I][a] - traction[J][a] * G[I][b]);
         }
       }
+
+    if (viscosity.pressure_derivative == 0. || linearization == ViscosityLinearization::picard ||
+        !(cell.mean_pressure() < 0.))
+      return;
+    const SymmetricTensor<2, dim> by_pressure = -2. * cell.volume / n * viscosity.pressure_derivative *
+                                                cell.deviator;
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      const Tensor<1, dim> column = by_pressure * G[I];
+      for (unsigned int J = 0; J < n; ++J)
+        for (unsigned int a = 0; a < dim; ++a)
+          system.matrix[S::index(I, a)][S::pressure_index(J)] += column[a];
+    }
   }
 
 

@@ -20,8 +20,9 @@ namespace Lahar
                                     const FluidCell<dim> &cell)
   {
     const Tensor<1, dim> residual = cell.volume * cell.momentum_residual(cell.law->density());
-    const double stress           = cell.law->effective_viscosity(cell.strain_rate).value * cell.strain_rate;
-    const double bound            = 2. * stress / cell.edge();
+    const double viscosity = cell.law->effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
+    const double stress    = viscosity * cell.strain_rate;
+    const double bound     = 2. * stress / cell.edge();
     for (const unsigned int v : vertices)
     {
       residuals[v] += residual;

@@ -27,7 +27,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value Bingham::viscous_part(const double /*strain_rate*/) const
+  FluidLaw::Value Bingham::viscous_part(const double /*strain_rate*/, const double /*pressure*/) const
   {
     return {mu, 0.};
   }

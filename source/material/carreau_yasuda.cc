@@ -56,7 +56,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value CarreauYasuda::viscous_part(const double strain_rate) const
+  FluidLaw::Value CarreauYasuda::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     if (strain_rate < no_rate)
       return {mu_0, 0.};

@@ -32,7 +32,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value Casson::viscous_part(const double strain_rate) const
+  FluidLaw::Value Casson::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     const Value mixed = mixed_part(strain_rate);
     return {mu + mixed.value, mixed.derivative};

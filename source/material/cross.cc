@@ -53,7 +53,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value Cross::viscous_part(const double strain_rate) const
+  FluidLaw::Value Cross::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     if (strain_rate < no_rate)
       return {mu_0, 0.};

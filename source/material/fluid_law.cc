@@ -15,19 +15,22 @@ namespace Lahar
 
 
 
-  FluidLaw::Value FluidLaw::effective_viscosity(const double strain_rate) const
+  FluidLaw::Value FluidLaw::effective_viscosity(const double strain_rate, const double pressure) const
   {
-    const Value viscous = viscous_part(strain_rate);
+    const Value viscous = viscous_part(strain_rate, pressure);
     const Value plastic = plastic_part(strain_rate);
-    const double tau_0  = yield_stress();
-    return {viscous.value + tau_0 * plastic.value, viscous.derivative + tau_0 * plastic.derivative};
+    const Value tau_y   = yield_stress(pressure);
+    return {viscous.value + tau_y.value * plastic.value,
+            viscous.derivative + tau_y.value * plastic.derivative,
+            viscous.pressure_derivative + tau_y.pressure_derivative * plastic.value};
   }
 
 
 
-  bool FluidLaw::is_yielded(const double strain_rate) const
+  bool FluidLaw::is_yielded(const double strain_rate, const double pressure) const
   {
-    return yield_stress() == 0. || effective_viscosity(strain_rate).value * strain_rate > yield_stress();
+    const double tau_y = yield_stress(pressure).value;
+    return tau_y == 0. || effective_viscosity(strain_rate, pressure).value * strain_rate > tau_y;
   }
 
 

@@ -31,7 +31,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value HerschelBulkley::viscous_part(const double strain_rate) const
+  FluidLaw::Value HerschelBulkley::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     return viscosity(strain_rate);
   }

@@ -21,7 +21,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value Newtonian::viscous_part(const double /*strain_rate*/) const
+  FluidLaw::Value Newtonian::viscous_part(const double /*strain_rate*/, const double /*pressure*/) const
   {
     return {mu, 0.};
   }

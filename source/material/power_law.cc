@@ -27,7 +27,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value PowerLaw::viscous_part(const double strain_rate) const
+  FluidLaw::Value PowerLaw::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     return viscosity(strain_rate);
   }

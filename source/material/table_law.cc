@@ -56,7 +56,7 @@ namespace Lahar
 
 
 
-  FluidLaw::Value TableLaw::viscous_part(const double strain_rate) const
+  FluidLaw::Value TableLaw::viscous_part(const double strain_rate, const double /*pressure*/) const
   {
     if (strain_rate <= first_rate)
       return {first_viscosity, 0.};

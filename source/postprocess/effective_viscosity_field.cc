@@ -5,7 +5,7 @@
 
 namespace Lahar
 {
-  /// The effective viscosity μ_eff(γ̇) of the law, Pa s.
+  /// The effective viscosity μ_eff(γ̇, P) of the law, Pa s.
   template <int dim>
   class EffectiveViscosityField : public OutputField<dim>
   {
@@ -26,7 +26,7 @@ namespace Lahar
     {
       Vector<double> values(snapshot.mesh.n_cells());
       for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c] = snapshot.law.effective_viscosity(cell.strain_rate).value;
+        values[c] = snapshot.law.effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
       });
       return values;
     }

@@ -78,7 +78,7 @@ namespace Lahar
   template <int dim>
   ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const StepProblem<dim> &problem) const
   {
-    return viscosity == ViscosityLinearization::primal_dual && problem.law().yield_stress() == 0.
+    return viscosity == ViscosityLinearization::primal_dual && !problem.law().has_yield_stress()
              ? ViscosityLinearization::newton
              : viscosity;
   }

@@ -88,6 +88,7 @@ namespace Lahar
     output.write_statistics(line, snapshot(), increments.str());
     if (const std::string news = account.volume.news(particles, time, communicator()); !news.empty())
       output.message(news);
+    ill_posed_cells.add(snapshot());
     output.step({counters.steps, time, time_step, report.iterations, report.velocity_increment,
                  report.pressure_increment, counters.cells, account.volume.change()});
   }

@@ -47,8 +47,10 @@ namespace Lahar
         state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
                               cloud.pressure[particle];
       contacts.push_back({contact, node, state, is_main});
-      contacts.back().at.stiffness = inertia_factor * law.density() * h / time_step +
-                                     viscosity_factor * law.viscous_part(1. / time_step).value / h;
+      contacts.back().at.stiffness =
+        inertia_factor * law.density() * h / time_step +
+        viscosity_factor * law.viscous_part(1. / time_step, std::max(-cloud.pressure[particle], 0.)).value /
+          h;
     }
     is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, partition.communicator()) == 1U;
   }

@@ -47,7 +47,7 @@ namespace Lahar
     if (time_integration.is_first_step())
       fluid.state.residual_projection.assign(mesh->n_vertices(), Tensor<1, dim>());
     update_vertices(fluid.state.residual_projection);
-    if (start.law.yield_stress() > 0.)
+    if (start.law.has_yield_stress())
       assembler.start_plastic_dual(*mesh, start.law, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (unsigned int node = 0; node < constraints.size(); ++node)

@@ -154,7 +154,7 @@ namespace Lahar
     base_velocity = node_velocities();
     base_volumes  = fluid.new_volumes();
     base_pressure = fluid.state.pressure;
-    if (fluid_law->yield_stress() > 0.)
+    if (fluid_law->has_yield_stress())
       assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, by_vertex(velocity_change), base_dual,
                                      dual_change);
   }
@@ -193,7 +193,7 @@ namespace Lahar
       held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       fluid.state.pressure[v] = base_pressure[v] + length * pressure_change[v];
-    if (fluid_law->yield_stress() > 0.)
+    if (fluid_law->has_yield_stress())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         fluid.state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
     set_norms();

@@ -67,6 +67,8 @@ namespace Lahar
     if (signal != 0)
       output.message(StopSignal::name(signal) + ": stopped after step " + std::to_string(counters.steps) +
                      " at " + std::to_string(time) + " s. Option --resume goes on from here.");
+    if (const std::string text = ill_posed_cells.warning(communicator()); !text.empty())
+      output.message(text);
     if (cell_steps > 0.)
       output.summary(timer, cell_steps);
   }

@@ -94,6 +94,8 @@ namespace Tests
         state.old_position[v] = places[v] - 0.5 * state.time_step * state.velocity[v];
       }
       assembler.assemble(mesh, law, gravity, state, linearization, system);
+      for (unsigned int v = 0; v < forces.size(); ++v)
+        system.add_at_node(v, -forces[v], {}, {});
       state.position = state.old_position = places;
     }
 
@@ -107,6 +109,7 @@ namespace Tests
     DirectSolver<dim> solver;
     FluidState<dim> state;
     std::vector<NodeConstraint<dim>> constraints;
+    std::vector<Tensor<1, dim>> forces; ///< on the nodes from outside, if there are any
   };
 } // namespace Tests
 

@@ -25,7 +25,8 @@ struct Example
   Unknowns unknowns;
 
   /// @param impulsive whether one node moves impulsively, see TimeIntegration.
-  Example(Random &random, const FluidLaw &law, const bool impulsive = false)
+  /// @param mean_pressure about which those of the corners lie.
+  Example(Random &random, const FluidLaw &law, const bool impulsive = false, const double mean_pressure = 0.)
   {
     for (unsigned int I = 0; I < n; ++I)
     {
@@ -39,6 +40,7 @@ struct Example
       cell.old_pressure_rate[I]   = random.number();
       for (unsigned int d = 0; d <= dim; ++d)
         unknowns[CellSystem<dim>::index(I, d)] = random.number();
+      unknowns[CellSystem<dim>::pressure_index(I)] += mean_pressure;
     }
     cell.time_step               = 0.1;
     cell.gravity                 = random.vector<dim>();
@@ -111,12 +113,13 @@ struct Example
 };
 
 template <int dim, typename Assemble>
-void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble &assemble)
+void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble &assemble,
+                    const double mean_pressure = 0.)
 {
   Random random;
   double error = 0.;
   for (unsigned int sample = 0; sample < 20; ++sample)
-    error = std::max(error, Example<dim>(random, law, sample % 2).jacobian_error(assemble));
+    error = std::max(error, Example<dim>(random, law, sample % 2, mean_pressure).jacobian_error(assemble));
   check(Utilities::int_to_string(dim) + "D Jacobian: " + name, error, 1e-6);
 }
 
@@ -128,13 +131,13 @@ auto assembler(const Term &term)
 
 /// Primal-dual with Λ = 2 f d' must be Newton, at most with less weight on the plastic rank-one part.
 template <int dim>
-void check_primal_dual(const FluidLaw &law)
+void check_primal_dual(const FluidLaw &law, const double mean_pressure = 0.)
 {
   Random random;
   double error = 0., lowest = 1e10, highest = 0.;
   for (unsigned int sample = 0; sample < 20; ++sample)
   {
-    Example<dim> example(random, law);
+    Example<dim> example(random, law, false, mean_pressure);
     example.cell.plastic_dual = 2. * law.plastic_part(example.cell.strain_rate).value * example.cell.deviator;
     const auto picard = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::picard))).matrix;
     const auto newton = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::newton))).matrix;
@@ -160,6 +163,35 @@ void check_primal_dual(const FluidLaw &law)
   check(name + "lies between Picard and Newton", error, 1e-12);
   check(name + "has one weight", highest - lowest, 1e-10);
   check(name + "has a weight from 0.8 to 1", lowest > 0.8 && highest < 1. + 1e-10);
+}
+
+/// Primal-dual has all of the derivative with respect to the pressure, whatever Λ is; Picard has none of it.
+template <int dim>
+void check_pressure_columns(const FluidLaw &law)
+{
+  using S = CellSystem<dim>;
+  Random random;
+  double error = 0., size = 0., picard_size = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    Example<dim> example(random, law, false, -3.);
+    const auto picard = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::picard))).matrix;
+    const auto newton = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::newton))).matrix;
+    const auto dual =
+      example.system(assembler(ViscousStress<dim>(ViscosityLinearization::primal_dual, 0.7))).matrix;
+    for (unsigned int i = 0; i < newton.size(); ++i)
+      for (unsigned int J = 0; J <= dim; ++J)
+      {
+        const unsigned int j = S::pressure_index(J);
+        error                = std::max(error, std::abs(dual[i][j] - newton[i][j]));
+        size                 = std::max(size, std::abs(newton[i][j]));
+        picard_size          = std::max(picard_size, std::abs(picard[i][j]));
+      }
+  }
+  const std::string name = Utilities::int_to_string(dim) + "D derivative with respect to the pressure: ";
+  check(name + "there is one", size > 0.01);
+  check(name + "primal-dual has Newton's", error, 0.);
+  check(name + "Picard has none", picard_size, 0.);
 }
 
 template <int dim>
@@ -263,6 +295,33 @@ void test()
                           FICFreeSurface<dim>().assemble(cell, opposite, system);
                         });
   check_primal_dual<dim>(*bingham);
+
+  // Laws that depend on the pressure, compressed and in tension.
+  const Entries grains = {{"Density", "1.3"}, {"Grain density", "2"}, {"Grain diameter", "0.2"}};
+  const auto with      = [&](const Entries &more) {
+    Entries all = grains;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const auto soil = make_law("Drucker-Prager", {{"Density", "1.3"},
+                                                {"Cohesion", "0.5"},
+                                                {"Friction angle", "35"},
+                                                {"Viscosity", "0.7"},
+                                                {"Regularization parameter", "3"}}),
+             sand =
+               make_law("mu(I)",
+                        with({{"Cohesion", "0.5"}, {"Viscosity", "0.7"}, {"Regularization parameter", "3"}})),
+             creep = make_law("mu(I) Barker-Gray",
+                              with({{"Smallest strain rate", "0.1"}, {"Viscosity", "0.7"}}));
+  for (const double mean_pressure : {-3., 3.})
+  {
+    const std::string state = mean_pressure < 0. ? ", compressed" : ", in tension";
+    const auto term         = assembler(ViscousStress<dim>(ViscosityLinearization::newton));
+    check_jacobian<dim>("viscous stress, Drucker-Prager, newton" + state, *soil, term, mean_pressure);
+    check_jacobian<dim>("viscous stress, mu(I), newton" + state, *sand, term, mean_pressure);
+    check_jacobian<dim>("viscous stress, Barker-Gray, newton" + state, *creep, term, mean_pressure);
+  }
+  check_pressure_columns<dim>(*sand);
   check_identities<dim>(*bingham);
 }
 

@@ -122,7 +122,10 @@ def test_refused():
     for law, entry, value in [("Herschel-Bulkley", "Flow index", "0"), ("Herschel-Bulkley", "Consistency", "-1"),
                               ("power law", "Smallest strain rate", "0"), ("Casson", "Casson viscosity", "-1"),
                               ("Carreau-Yasuda", "Exponent of the bend", "0"), ("Cross", "Exponent", "1.5"),
-                              ("table", "File", "")]:
+                              ("table", "File", ""), ("Drucker-Prager", "Friction angle", "90"),
+                              ("Drucker-Prager", "Friction angle", "-5"), ("mu(I)", "Grain density", "900"),
+                              ("mu(I)", "Grain diameter", "0"), ("mu(I)", "Static friction", "0"),
+                              ("mu(I)", "Dynamic friction", "0.2"), ("mu(I) Barker-Gray", "Creep exponent", "2")]:
         wrong(FLUID + law + "/" + entry, value, more=set_entry(FLUID + "Law", law))
 
     def write_table(directory):

@@ -36,7 +36,7 @@ void test_formula(const std::string &name, const FluidLaw &law, const double at_
   double value_error = 0., derivative_error = 0., previous_stress = 0.;
   bool grows = true, yields = true;
   sweep([&](const double rate) {
-    const auto viscosity = law.effective_viscosity(rate);
+    const auto viscosity = law.effective_viscosity(rate, 0.);
     const Fad reference  = formula(Fad(1, 0, rate));
     value_error          = std::max<double>(value_error, std::abs(viscosity.value / reference.val() - 1.L));
     // In terms of the stress's slope, in which a derivative of the viscosity near zero is nothing.
@@ -45,7 +45,8 @@ void test_formula(const std::string &name, const FluidLaw &law, const double at_
     const double stress = viscosity.value * rate;
     grows           = grows && stress > previous_stress && viscosity.value + rate * viscosity.derivative > 0.;
     previous_stress = stress;
-    yields = yields && law.is_yielded(rate) == (stress > law.yield_stress() || law.yield_stress() == 0.);
+    yields          = yields && law.is_yielded(rate, 0.) ==
+                         (stress > law.yield_stress(0.).value || law.yield_stress(0.).value == 0.);
   });
   check(name + ": viscosity equals the formula", value_error, 1e-12);
   check(name + ": derivative equals automatic differentiation", derivative_error, 1e-8);
@@ -55,7 +56,7 @@ void test_formula(const std::string &name, const FluidLaw &law, const double at_
   bool finite       = true;
   for (const double rate : {0., 1e-300, 1e-150})
   {
-    const auto viscosity = law.effective_viscosity(rate);
+    const auto viscosity = law.effective_viscosity(rate, 0.);
     rest_error           = std::max(rest_error, std::abs(viscosity.value / at_rest - 1.));
     // As it stands in the tangent: 2 μ'/γ̇ d', with d' of the size of γ̇.
     if (rate > 0.)
@@ -83,14 +84,16 @@ void test_powers()
     });
     const auto without = make_law("power law", {{"Consistency", to_text(K)}, {"Flow index", to_text(n)}});
     test_formula("power law" + name, *without, at_rest, power);
-    check("power law" + name + ": no yield stress", without->yield_stress() == 0. && without->is_yielded(0.));
+    check("power law" + name + ": no yield stress",
+          without->yield_stress(0.).value == 0. && without->is_yielded(0., 0.));
     test_same("Herschel-Bulkley" + name + " without yield stress is the power law", *herschel_bulkley(n, 0.),
               *without);
 
     // What ε changes of the stress, and what it does not.
     double error = 0., error_above = 0.;
     sweep([&](const double rate) {
-      const double difference = std::abs(without->viscous_part(rate).value * rate - K * std::pow(rate, n));
+      const double difference = std::abs(without->viscous_part(rate, 0.).value * rate -
+                                         K * std::pow(rate, n));
       error                   = std::max(error, difference / (K * std::pow(epsilon, n)));
       if (rate > 100. * epsilon)
         error_above = std::max(error_above, difference / (K * std::pow(rate, n)));
@@ -121,16 +124,16 @@ void test_casson()
   double error = 0.;
   sweep([&](const double rate) {
     if (rate > 100. / m)
-      error = std::max(error, std::abs(std::sqrt(law->effective_viscosity(rate).value * rate) -
+      error = std::max(error, std::abs(std::sqrt(law->effective_viscosity(rate, 0.).value * rate) -
                                        std::sqrt(tau_0) - std::sqrt(mu * rate)) /
                                 std::sqrt(tau_0));
   });
   check("Casson: roots of the stresses add up", error, 1e-6);
-  check("Casson: high rates", law->effective_viscosity(1e12).value / mu - 1., 1e-4);
+  check("Casson: high rates", law->effective_viscosity(1e12, 0.).value / mu - 1., 1e-4);
   test_same("Casson without yield stress is Newton's law", *make(mu, 0.), *newtonian(mu), 0.);
   double plastic_error = 0.;
   sweep([&](const double rate) {
-    plastic_error = std::max(plastic_error, std::abs(make(0., tau_0)->effective_viscosity(rate).value /
+    plastic_error = std::max(plastic_error, std::abs(make(0., tau_0)->effective_viscosity(rate, 0.).value /
                                                        (tau_0 * law->plastic_part(rate).value) -
                                                      1.));
   });
@@ -159,13 +162,15 @@ void test_plateaus()
     const double exact = mu_infinity + (mu_0 - mu_infinity) *
                                          std::pow(1. + lambda * lambda * rate * rate, (0.3568 - 1.) / 2.);
     error = std::max(
-      error, std::abs(carreau(mu_0, mu_infinity, lambda, 0.3568, 2.)->viscous_part(rate).value / exact - 1.));
+      error,
+      std::abs(carreau(mu_0, mu_infinity, lambda, 0.3568, 2.)->viscous_part(rate, 0.).value / exact - 1.));
   });
   check("Carreau-Yasuda a = 2 is Carreau's", error, 1e-13);
   check("Carreau-Yasuda: high rates",
-        carreau(mu_0, mu_infinity, lambda, 0.3568, 2.)->viscous_part(1e12).value / mu_infinity - 1., 1e-6);
+        carreau(mu_0, mu_infinity, lambda, 0.3568, 2.)->viscous_part(1e12, 0.).value / mu_infinity - 1.,
+        1e-6);
   check("Carreau-Yasuda: an infinite rate leaves numbers",
-        std::isfinite(carreau(mu_0, mu_infinity, lambda, 0.5, 10.)->viscous_part(1e200).derivative));
+        std::isfinite(carreau(mu_0, mu_infinity, lambda, 0.5, 10.)->viscous_part(1e200, 0.).derivative));
   test_same("Carreau-Yasuda without time constant is Newton's law", *carreau(2., 1., 0., 0.5, 2.),
             *newtonian(2.), 0.);
   test_same("Carreau-Yasuda n = 1 is Newton's law", *carreau(2., 1., 3., 1., 2.), *newtonian(2.));
@@ -189,8 +194,8 @@ void test_plateaus()
                (1.L + pow(static_cast<long double>(lambda) * rate, static_cast<long double>(p.q)));
     });
   }
-  check("Cross: halfway at the rate 1/k", cross(2., 1., 4., 0.8)->viscous_part(0.25).value - 1.5, 1e-14);
-  check("Cross: high rates", cross(2., 0.5, 4., 1.)->viscous_part(1e12).value / 0.5 - 1., 1e-11);
+  check("Cross: halfway at the rate 1/k", cross(2., 1., 4., 0.8)->viscous_part(0.25, 0.).value - 1.5, 1e-14);
+  check("Cross: high rates", cross(2., 0.5, 4., 1.)->viscous_part(1e12, 0.).value / 0.5 - 1., 1e-11);
   test_same("Cross without time constant is Newton's law", *cross(2., 1., 0., 0.5), *newtonian(2.), 0.);
 }
 

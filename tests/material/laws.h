@@ -31,9 +31,10 @@ namespace Tests
   inline void test_same(const std::string &what, const FluidLaw &a, const FluidLaw &b,
                         const double tolerance = 1e-14)
   {
-    double error = std::abs(a.yield_stress() - b.yield_stress()) / std::max(1., b.yield_stress());
+    double error = std::abs(a.yield_stress(0.).value - b.yield_stress(0.).value) /
+                   std::max(1., b.yield_stress(0.).value);
     sweep([&](const double rate) {
-      const auto mu_a = a.effective_viscosity(rate), mu_b = b.effective_viscosity(rate);
+      const auto mu_a = a.effective_viscosity(rate, 0.), mu_b = b.effective_viscosity(rate, 0.);
       error = std::max({error, std::abs(mu_a.value / mu_b.value - 1.),
                         std::abs(mu_a.derivative - mu_b.derivative) * rate / mu_b.value});
     });

@@ -56,7 +56,7 @@ int main(int argc, char **argv)
     bool was_yielded       = false;
     for (double rate = 1e-12; rate < 1.5e6; rate *= 1.25)
     {
-      const FluidLaw::Value viscosity = law->effective_viscosity(rate);
+      const FluidLaw::Value viscosity = law->effective_viscosity(rate, 0.);
       const Fad reference             = static_cast<long double>(mu) +
                             static_cast<long double>(tau_0) * plastic_part(m, Fad(1, 0, rate));
       value_error      = std::max<double>(value_error, std::abs(viscosity.value / reference.val() - 1.L));
@@ -70,7 +70,7 @@ int main(int argc, char **argv)
 
       // |τ| = τ0 at μ γ̇ = τ0 exp(−m γ̇): yielding begins there and does not end again.
       const bool expected = mu * rate > tau_0 * std::exp(-m * rate);
-      yields_once         = yields_once && law->is_yielded(rate) == expected && expected >= was_yielded;
+      yields_once         = yields_once && law->is_yielded(rate, 0.) == expected && expected >= was_yielded;
       was_yielded         = expected;
       if (m * rate > 50.)
         plateau_error = std::max(plateau_error, stress / (tau_0 + mu * rate) - 1.);
@@ -78,10 +78,10 @@ int main(int argc, char **argv)
     for (const double rate : {0., 1e-300})
     {
       limit_error = std::max(limit_error,
-                             std::abs(law->effective_viscosity(rate).value / (mu + m * tau_0) - 1.));
+                             std::abs(law->effective_viscosity(rate, 0.).value / (mu + m * tau_0) - 1.));
       limit_error =
         std::max(limit_error,
-                 std::abs(law->effective_viscosity(rate).derivative / (-0.5 * m * m * tau_0) - 1.));
+                 std::abs(law->effective_viscosity(rate, 0.).derivative / (-0.5 * m * m * tau_0) - 1.));
     }
   }
   check("viscosity equals the reference", value_error, 1e-12);
@@ -91,12 +91,13 @@ int main(int argc, char **argv)
   check("limit m -> infinity: |tau| -> tau_0 + mu rate", plateau_error, 1e-14);
   check("stress grows with the strain rate", monotone);
   check("yielded where |tau| > tau_0", yields_once);
-  check("without yield stress everything is yielded", bingham(1., 0., 10.)->is_yielded(0.));
+  check("without yield stress everything is yielded", bingham(1., 0., 10.)->is_yielded(0., 0.));
 
   const auto newtonian = make_law("Newtonian", {{"Viscosity", "3.5"}, {"Density", "900"}});
-  check("Newtonian viscosity", newtonian->effective_viscosity(17.).value - 3.5, 0.);
-  check("Newtonian derivative", newtonian->effective_viscosity(17.).derivative, 0.);
-  check("Newtonian fluid is yielded", newtonian->is_yielded(0.) && newtonian->yield_stress() == 0.);
+  check("Newtonian viscosity", newtonian->effective_viscosity(17., 0.).value - 3.5, 0.);
+  check("Newtonian derivative", newtonian->effective_viscosity(17., 0.).derivative, 0.);
+  check("Newtonian fluid is yielded",
+        newtonian->is_yielded(0., 0.) && newtonian->yield_stress(0.).value == 0.);
   check("density", newtonian->density() - 900., 0.);
   check("incompressible by default", newtonian->compressibility(), 0.);
   check("bulk modulus", make_law("Newtonian", {{"Bulk modulus", "4e9"}})->compressibility() * 4e9 - 1.,

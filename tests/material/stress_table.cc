@@ -16,7 +16,7 @@ std::string write_table(const FluidLaw &law, const std::vector<double> &rates)
   std::ofstream file(name);
   file << "# strain rate (1/s), stress (Pa)\r\n" << std::setprecision(17);
   for (const double rate : rates)
-    file << rate << " , " << law.yield_stress() + rate * law.viscous_part(rate).value << "\r\n";
+    file << rate << " , " << law.yield_stress(0.).value + rate * law.viscous_part(rate, 0.).value << "\r\n";
   return name;
 }
 
@@ -39,8 +39,8 @@ void test_tables()
                           const double tolerance) {
     double error = 0.;
     for (double rate = 1.0001; rate < 1e4; rate *= 1.1)
-      error = std::max(error,
-                       std::abs(a.effective_viscosity(rate).value / b.effective_viscosity(rate).value - 1.));
+      error = std::max(
+        error, std::abs(a.effective_viscosity(rate, 0.).value / b.effective_viscosity(rate, 0.).value - 1.));
     check(what, error, tolerance);
   };
   const auto thinning = herschel_bulkley(0.4, tau_0);
@@ -52,26 +52,26 @@ void test_tables()
   const auto blood = carreau(0.056, 0.00345, 3.313, 0.3568, 2.);
   const auto law   = table(*blood, rates);
   compare("twenty rows of Carreau's law give it to half a percent", *law, *blood, 5e-3);
-  check("without a row at rest: no yield stress", law->yield_stress(), 0.);
+  check("without a row at rest: no yield stress", law->yield_stress(0.).value, 0.);
   check("... and a constant viscosity below the first row",
-        law->viscous_part(0.).value / blood->viscous_part(0.1).value - 1., 1e-14);
-  check("... of derivative 0", law->viscous_part(0.05).derivative, 0.);
+        law->viscous_part(0., 0.).value / blood->viscous_part(0.1, 0.).value - 1., 1e-14);
+  check("... of derivative 0", law->viscous_part(0.05, 0.).derivative, 0.);
 
   // A law of measured values: differences, from both sides at the rows.
   std::ofstream("measured.csv")
     << "\xef\xbb\xbf# a mud\n0, 12\n\n0.1, 12.2 # slow\n1,14\n10,14.5\n100,41\n1000,180\n";
   const auto measured = make_law("table", {{"File", "measured.csv"}});
-  check("the stress at rest is the yield stress", measured->yield_stress() - 12., 0.);
+  check("the stress at rest is the yield stress", measured->yield_stress(0.).value - 12., 0.);
   double difference_error = 0., previous_stress = 0.;
   bool grows = true;
   sweep([&](const double rate) {
     const double step  = 1e-6 * rate;
-    const auto at      = [&](const double r) { return measured->effective_viscosity(r).value; };
+    const auto at      = [&](const double r) { return measured->effective_viscosity(r, 0.).value; };
     difference_error   = std::max(difference_error,
-                                  std::abs(measured->effective_viscosity(rate).derivative -
+                                  std::abs(measured->effective_viscosity(rate, 0.).derivative -
                                            (at(rate + step) - at(rate - step)) / (2. * step)) *
                                     rate / at(rate));
-    const double slope = at(rate) + rate * measured->effective_viscosity(rate).derivative;
+    const double slope = at(rate) + rate * measured->effective_viscosity(rate, 0.).derivative;
     grows              = grows && rate * at(rate) > previous_stress && slope > 0.;
     previous_stress    = rate * at(rate);
   });
@@ -81,10 +81,10 @@ void test_tables()
   for (const auto &[rate, stress] : std::vector<std::pair<double, double>>{
          {0.1, 12.2}, {1., 14.}, {10., 14.5}, {100., 41.}, {1000., 180.}})
   {
-    row_error = std::max(row_error, std::abs(rate * measured->viscous_part(rate).value + 12. - stress));
+    row_error = std::max(row_error, std::abs(rate * measured->viscous_part(rate, 0.).value + 12. - stress));
     if (rate > 0.1)
-      kink = std::max(kink, std::abs(measured->viscous_part(rate * (1. + 1e-12)).derivative /
-                                       measured->viscous_part(rate * (1. - 1e-12)).derivative -
+      kink = std::max(kink, std::abs(measured->viscous_part(rate * (1. + 1e-12), 0.).derivative /
+                                       measured->viscous_part(rate * (1. - 1e-12), 0.).derivative -
                                      1.));
   }
   check("the table's stresses are met", row_error, 1e-12);

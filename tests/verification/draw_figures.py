@@ -129,6 +129,32 @@ def draw_free_motion(runs):
     return figure
 
 
+def draw_granular_column(runs):
+    figure = plt.figure(figsize=(WIDTH, 4.6), layout="constrained")
+    rows = figure.add_gridspec(3, 2)
+    statistics = read_reference("granular_column/contact_dynamics_fronts.csv")
+    for row, instant in enumerate((1., 2., 6.)):
+        axes = figure.add_subplot(rows[row, 0])
+        unit = np.sqrt(0.324 / 9.81)
+        mesh = read_vtu(min(read_pvd(runs / "granular_column_1.42" / "solution.pvd"),
+                            key=lambda snapshot: abs(snapshot[0] - instant * unit))[1])
+        x, y = mesh.points.T[:2] / 0.324
+        axes.tripcolor(x, y, mesh.triangles, facecolors=mesh.at_cells("yielded"), cmap="Blues", vmin=-0.3, vmax=1.6,
+                       edgecolors="white", linewidth=0.2)
+        axes.set(aspect="equal", xlim=(0., 2.8), ylim=(0., 1.), ylabel="$y/H_0$",
+                 title=f"$t$ = {instant:g} $(H_0/g)^{{1/2}}$, yielded dark")
+    axes.set(xlabel="$x/H_0$")
+    axes = figure.add_subplot(rows[:, 1])
+    for ratio, height, colour in (("0.5", 0.149, "#0072B2"), ("1.42", 0.324, "#D55E00"), ("6.26", 0.67, "#009E73")):
+        run = read_run(runs / f"granular_column_{ratio}")
+        axes.plot(run["Time (s)"] / np.sqrt(height / 9.81), run["front (m)"] / height, color=colour, label=f"Lahar, $a$ = {ratio}")
+        axes.plot(statistics["t"], statistics[f"{ratio} deep"], "o", color=colour, markersize=4)
+        axes.plot(statistics["t"], statistics[f"{ratio} last"], "o", color=colour, markersize=4, fillstyle="none")
+    axes.set(xlabel="$t (g/H_0)^{1/2}$", ylabel="front, $x/H_0$")
+    axes.legend(fontsize="small")
+    return figure
+
+
 def draw_inflow(runs):
     """Meshes of a film and of a tank that fills; what has come into the tank (doc/inflow.md)."""
     figure = plt.figure(figsize=(WIDTH, 3.7), layout="constrained")

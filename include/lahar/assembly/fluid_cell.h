@@ -70,6 +70,12 @@ namespace Lahar
       return sum;
     }
 
+    /// P = max(−p̄, 0), p̄ the mean pressure: what laws of fluids know of it.
+    double confining_pressure() const
+    {
+      return std::max(-mean_pressure(), 0.);
+    }
+
     Tensor<1, dim> mean_acceleration() const
     {
       Tensor<1, dim> sum;

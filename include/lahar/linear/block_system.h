@@ -44,7 +44,7 @@ namespace Lahar
    *   [ K   Q ] [δv]     [ R_v ]
    *   [ C   H ] [δp] = − [ R_p ],
    *
-   * C = −Qᵀ but for stabilisation and geometry. Velocity component a of node i is unknown dim i + a of block 0, its
+   * C = −Qᵀ but for stabilisation, geometry and stress that depends on the pressure. Velocity component a of node i is unknown dim i + a of block 0, its
    * pressure unknown i of block 1. In all four blocks the columns of a row follow a nodal graph, so the place of an
    * entry is computed, not searched for: add() costs one table lookup per pair of nodes.
    *

@@ -23,7 +23,7 @@ namespace Lahar
     void parse_parameters(Parameters &prm) override;
 
     /// The derivative is 0 where γ̇ is: for q < 1 it has no limit there, but γ̇ times it has, 0.
-    Value viscous_part(const double strain_rate) const override;
+    Value viscous_part(const double strain_rate, const double pressure) const override;
 
   private:
     double mu_0 = 0., mu_infinity = 0., k = 0., q = 1.;

@@ -12,22 +12,25 @@ namespace Lahar
   /**
    * A generalised Newtonian fluid with a yield stress:
    *
-   *   τ = 2 μ_eff(γ̇) d',   μ_eff(γ̇) = μ(γ̇) + τ0 f(γ̇),   γ̇ = sqrt(2 d':d'),
+   *   τ = 2 μ_eff d',   μ_eff(γ̇, P) = μ(γ̇, P) + τ_y(P) f(γ̇),   γ̇ = sqrt(2 d':d'),
    *
    * d' the three-dimensional deviator of the rate of deformation (in plane strain it has an out-of-plane component).
-   * μ is the viscous part and τ0 f the plastic part; τ0 f γ̇ → τ0 for large γ̇. The two are kept apart because the
+   * μ is the viscous part and τ_y f the plastic part; τ_y f γ̇ → τ_y for large γ̇. The two are kept apart because the
    * primal–dual Newton scheme treats the plastic part in its own way (PlasticLinearization).
+   * P ≥ 0 is the pressure of a cell where it is compressed, zero where it is in tension, see
+   * FluidCell::confining_pressure(). Most laws leave it out; in those of grains friction grows with it.
    * In incompressible flow d' = d and γ̇ is Franci & Zhang's (2018, eq. 8) equivalent strain rate; taking the deviator
    * keeps the tangent symmetric where the discrete flow is not exactly divergence free.
    */
   class FluidLaw
   {
   public:
-    /// A function of γ̇ and its derivative with respect to γ̇.
+    /// A function of γ̇ and P and its derivatives.
     struct Value
     {
-      double value      = 0.;
-      double derivative = 0.;
+      double value               = 0.;
+      double derivative          = 0.; ///< with respect to γ̇
+      double pressure_derivative = 0.; ///< with respect to P
     };
 
     virtual ~FluidLaw() = default;
@@ -44,23 +47,43 @@ namespace Lahar
       return inverse_bulk_modulus;
     }
 
-    /// τ0, Pa; zero for a fluid without yield stress.
-    virtual double yield_stress() const
+    /// τ_y(P), Pa; zero for a fluid without yield stress. It does not fall with @p pressure, and is above zero under any
+    /// pressure unless it is zero under all.
+    virtual Value yield_stress(const double /*pressure*/) const
     {
-      return 0.;
+      return {};
     }
 
-    /// Viscous part μ(γ̇), Pa s.
-    virtual Value viscous_part(const double strain_rate) const = 0;
+    /// Whether τ_y is above zero anywhere.
+    bool has_yield_stress() const
+    {
+      return yield_stress(1.).value > 0.;
+    }
+
+    /// Viscous part μ(γ̇, P), Pa s.
+    virtual Value viscous_part(const double strain_rate, const double pressure) const = 0;
 
     /// f(γ̇), s: the plastic part of the viscosity per unit yield stress.
     virtual Value plastic_part(const double strain_rate) const;
 
-    /// μ_eff(γ̇) and its derivative.
-    Value effective_viscosity(const double strain_rate) const;
+    /// μ_eff(γ̇, P) and its derivatives.
+    Value effective_viscosity(const double strain_rate, const double pressure) const;
 
     /// Whether the stress intensity |τ| = μ_eff γ̇ exceeds the yield stress (always, where there is none).
-    bool is_yielded(const double strain_rate) const;
+    bool is_yielded(const double strain_rate, const double pressure) const;
+
+    /// Whether there are states at which is_well_posed() says no.
+    virtual bool may_be_ill_posed() const
+    {
+      return false;
+    }
+
+    /// Whether small disturbances of short waves stay small in the incompressible flow of this fluid at the given state, so
+    /// that the solution does not depend on the mesh. Laws that know nothing of it say yes.
+    virtual bool is_well_posed(const double /*strain_rate*/, const double /*pressure*/) const
+    {
+      return true;
+    }
 
     /// Declare the entry 'Law' and the laws' subsections in the handler's current section.
     static void declare_parameters(Parameters &prm);

@@ -21,7 +21,7 @@ namespace Lahar
 
     void parse_parameters(Parameters &prm) override;
 
-    Value viscous_part(const double strain_rate) const override;
+    Value viscous_part(const double strain_rate, const double pressure) const override;
 
   private:
     RegularizedPower viscosity;

@@ -8,7 +8,8 @@
 namespace Lahar
 {
   /**
-   * A fluid with a yield stress τ0 regularised by Papanastasiou (J. Rheol. 31 (1987) 385): the plastic part is τ0 f with
+   * A fluid with a yield stress τ_y = τ0 + μ_s P, where μ_s is zero unless a derived class sets it, regularised by
+   * Papanastasiou (J. Rheol. 31 (1987) 385): the plastic part is τ_y f with
    *
    *   f(γ̇) = (1 − exp(−m γ̇)) / γ̇,   f(0) = m,   f'(0) = −m²/2.
    *
@@ -18,9 +19,9 @@ namespace Lahar
   class YieldStressLaw : public FluidLaw
   {
   public:
-    double yield_stress() const override
+    Value yield_stress(const double pressure) const override
     {
-      return tau_0;
+      return {tau_0 + friction * pressure, 0., friction};
     }
 
     Value plastic_part(const double strain_rate) const override;
@@ -38,7 +39,8 @@ namespace Lahar
     /// Read `Regularization parameter`. @throws InputError
     void parse_regularization(const Parameters &prm);
 
-    double tau_0 = 0.;
+    double tau_0    = 0.; ///< Pa
+    double friction = 0.; ///< μ_s
 
   private:
     double m = 0.;

@@ -67,7 +67,7 @@ namespace Lahar
   };
 
   /// Call @p action with number and FluidCell of every cell of the snapshot's mesh. The FluidCell has its geometry, the
-  /// velocities of its corners and what follows from both: velocity gradient, deviator and strain rate.
+  /// velocities and pressures of its corners and what follows from them: velocity gradient, deviator and strain rate.
   template <int dim, typename Action>
   void for_each_cell(const Snapshot<dim> &snapshot, const Action &action)
   {
@@ -76,7 +76,10 @@ namespace Lahar
     {
       FluidCell<dim> cell;
       for (unsigned int I = 0; I <= dim; ++I)
+      {
         cell.velocity[I] = snapshot.cloud.velocity[cells[c][I]];
+        cell.pressure[I] = snapshot.cloud.pressure[cells[c][I]];
+      }
       cell.reinit(corners_of<dim>(cells[c], snapshot.cloud.position), false);
       action(c, std::as_const(cell));
     }

@@ -14,6 +14,7 @@
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/case.h>
+#include <lahar/simulator/ill_posed_cells.h>
 #include <lahar/simulator/momentum_account.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_checkpoint.h>
@@ -178,6 +179,7 @@ namespace Lahar
       VolumeAccount<dim> volume;
       MomentumAccount<dim> momentum;
     } account;
+    IllPosedCells<dim> ill_posed_cells;
     RunOutput<dim> output;
     RunCheckpoint checkpoint;
   };
