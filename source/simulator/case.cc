@@ -43,7 +43,8 @@ namespace Lahar
   void Case<dim>::check_symmetry(Parameters &prm, const CaseStructure &structure) const
   {
     if (!structure.solids.empty())
-      prm.throw_wrong_value("Solids", "nothing, as 'Geometry' is 'rotational symmetry'");
+      throw InputError("Parameter 'Solids' has '" + structure.solids[0] +
+                       "'. Allowed: nothing, as 'Geometry' is 'rotational symmetry'.");
     if (gravity[0] != 0.)
       prm.throw_wrong_value("Gravity", "'0, g', along the axis, as 'Geometry' is 'rotational symmetry'");
     if constexpr (dim == 2)

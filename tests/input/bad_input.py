@@ -9,7 +9,7 @@ import os
 import sys
 
 from attempts import FLUID, GOOD, MESH, MESH_IN_SPACE, TOP, WALLS, in_spike, refused, set_entry, write_spike, wrong
-from program_test import failed, fluid, parts, section, shape, wall, walls
+from program_test import barrier, failed, fluid, parts, section, shape, wall, walls
 
 
 def test_inflows(model):
@@ -71,6 +71,7 @@ def test_rotational_symmetry():
              case(law="set Motion = translation\n" + section("translation", "set Displacement = 0.1 * t; 0")), []),
             ("an outflow", ["'floor'", "lets fluid in or out", "rigid"],
              case(law="set Law = outflow\n" + section("outflow", "set Direction = 0, -1")), []),
+            ("solids", ["'Solids'", "barrier", "nothing"], case() + barrier(0.2, 0.212), []),
             ("the stabilisation FIC", ["'Stabilization/Form'", "FIC", "Geometry"], case(), set_entry("Stabilization/Form", "FIC")),
             ("another geometry", ["'Geometry'", "sphere", "plane|rotational symmetry"], case(), set_entry("Geometry", "sphere"))]:
         refused("rotational symmetry: " + what, [*expected, "llowed"], *arguments, text=text)
