@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Test rotational symmetry on unstructured meshes that reach to the axis: volumes, a uniform extension that is met to
-// rounding, fluid at rest in a cylinder with its weight on the floor, and the flow of Newtonian and Bingham fluids through a
-// pipe with its order of convergence.
+// rounding, fluid at rest in a cylinder with its weight on the floor, and the flow of Newtonian and Bingham fluids
+// through a pipe with its order of convergence.
 
 #include <deal.II/base/utilities.h>
 

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rotational symmetry in the half plane (r, z): fluid at rest in a cylinder, an inviscid drop that becomes an ellipsoid, a
-plug that slides down a pipe, a viscous gravity current, and the mini slump cone against the theory of thin
-layers.
+"""Rotational symmetry in the half plane (r, z): fluid at rest in a cylinder, an inviscid drop that becomes an ellipsoid,
+a plug that slides down a pipe, a viscous gravity current, and the mini slump cone against the theory of thin layers.
 
-H. E. Huppert's current (J. Fluid Mech. 121 (1982) 43-58) of the volume V has the radius 0.894 (g V³ t/(3 nu))^(1/8), and the
-depth on the axis is 4 V/(3 pi r²) by its profile (1 - s²)^(1/3).
+H. E. Huppert's current (J. Fluid Mech. 121 (1982) 43-58) of the volume V has the radius 0.894 (g V³ t/(3 nu))^(1/8), and
+the depth on the axis is 4 V/(3 pi r²) by its profile (1 - s²)^(1/3).
 """
 
 import math
@@ -58,7 +57,8 @@ def check_drop(check):
 def check_plug(check):
     statistics = read_run(check.run("rotational_symmetry/plug.prm"))
     for name in ("axis", "middle", "wall"):
-        check.near(f"plug, velocity, {name} (m/s)", statistics[f"{name} velocity y (m/s)"][-1], -WEIGHT * 0.05 / 4e4, 1e-3)
+        speed = statistics[f"{name} velocity y (m/s)"][-1]
+        check.near(f"plug, velocity, {name} (m/s)", speed, -WEIGHT * 0.05 / 4e4, 1e-3)
     check.near("plug, friction (N)", statistics["side force y (N)"][-1], -WEIGHT * math.pi * 0.05**2 * 0.1, 1e-4)
     check_volume(check, "plug", statistics, 1e-8)
 

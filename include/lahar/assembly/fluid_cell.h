@@ -29,8 +29,8 @@ namespace Lahar
    * With s = 0 in #motion the terms leave the derivatives of the geometry out, but for that of the volume in the mass
    * equation, without which there is no flow.
    *
-   * With rotational symmetry (Symmetry) the cell is a ring: V = 2π r̄ A, and strain has the hoop component L_θθ = v_r/r,
-   * taken at the centroid, v̄_r/r̄. With η = 1/(3 r̄) it is Σ v_Ir η, and
+   * With rotational symmetry (Symmetry) the cell is a ring: V = 2π r̄ A, and strain has the hoop component
+   * L_θθ = v_r/r, taken at the centroid, v̄_r/r̄. With η = 1/(3 r̄) it is Σ v_Ir η, and
    *
    *   δV = s V E_Jb, E_J = G_J + η e_r,   δη = −s η² δ_br,   δL_θθ = η w_θJ δ_br, w_θJ = c_J − s L_θθ;
    *

@@ -10,9 +10,9 @@
 namespace Lahar
 {
   /**
-   * How the program's case in the plane is read: as it is, per metre of depth, or as the half plane x = r ≥ 0, y = z of a
-   * body with rotational symmetry about the axis x = 0. In the latter volumes, masses and forces are those of the whole
-   * body.
+   * How the program's case in the plane is read: as it is, per metre of depth, or as the half plane x = r ≥ 0, y = z of
+   * a body with rotational symmetry about the axis x = 0. In the latter volumes, masses and forces are those of the
+   * whole body.
    *
    * Like the space dimension this holds for the whole program. The entry 'Geometry' sets it (RunParameters) before
    * anything is computed.
@@ -41,7 +41,7 @@ namespace Lahar
     inline static bool rotational = false;
   };
 
-  /// Volume with sign that a simplex stands for: with rotational symmetry that of its ring, 2π r̄ A, r̄ at the centroid.
+  /// Volume with sign that a simplex stands for: with rotational symmetry its ring's, 2π r̄ A, r̄ at the centroid.
   template <int dim>
   inline double body_volume(const SimplexCorners<dim> &x)
   {
@@ -69,8 +69,8 @@ namespace Lahar
     return shares;
   }
 
-  /// ∫ N of one corner at @p radius over what a face of this @p area stands for: with rotational symmetry π L (r + Σ r)/3,
-  /// @p sum_of_radii over the face's corners; else the area over dim. Areas may be vectors.
+  /// ∫ N of one corner at @p radius over what a face of this @p area stands for: with rotational symmetry
+  /// π L (r + Σ r)/3, @p sum_of_radii over the face's corners; else the area over dim. Areas may be vectors.
   template <int dim, typename Area>
   inline Area face_share(const Area &area, const double sum_of_radii, const double radius)
   {
