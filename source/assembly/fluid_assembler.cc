@@ -50,6 +50,10 @@ namespace Lahar
   void FluidAssembler<dim>::parse_parameters(Parameters &prm)
   {
     prm.enter_subsection("Stabilization");
+    if (Symmetry::applies<dim>() && prm.get("Form") == "FIC")
+      prm.throw_wrong_value("Form",
+                            "another one with 'Geometry = rotational symmetry', for which the boundary "
+                            "terms of this one are not there");
     stabilization   = Factory<Stabilization<dim>>::create(Factory<Stabilization<dim>>::choice(prm, "Form"),
                                                           prm);
     viscosity_limit = prm.get_positive("Viscosity limit", true);
@@ -158,14 +162,17 @@ namespace Lahar
       Tensor<2, dim> delta_L;
       for (unsigned int I = 0; I <= dim; ++I)
         delta_L += cell.velocity_factor[I] * outer_product(increment[vertices[I]], cell.gradients[I]);
-      const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) -
-                                              trace(delta_L) / 3. * unit_symmetric_tensor<dim>();
+      double delta_hoop = 0.;
+      for (unsigned int I = 0; I <= dim && cell.is_ring; ++I)
+        delta_hoop += cell.velocity_factor[I] * increment[vertices[I]][0] * cell.hoop_gradient;
+      const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) - (trace(delta_L) + delta_hoop) / 3. *
+                                                                      unit_symmetric_tensor<dim>();
 
       // 1/ψ = f and ψ'/ψ = −f'/f.
       const FluidLaw::Value f               = law.plastic_part(cell.strain_rate);
       const SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
-      const double norm                     = std::sqrt(0.5 * (Lambda * Lambda));
-      const double delta_rate               = 2. * (cell.deviator * delta_d) /
+      const double norm                     = std::sqrt(0.5 * cell.product(Lambda, Lambda));
+      const double delta_rate               = 2. * cell.product(cell.deviator, delta_d) /
                                 std::max(cell.strain_rate, std::numeric_limits<double>::min());
       base[c]  = 2. * f.value * cell.deviator;
       slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
@@ -178,9 +185,9 @@ namespace Lahar
   void FluidAssembler<dim>::leave_out(const FluidCell<dim> &cell, CellSystem<dim> &system)
   {
     system.clear();
-    const double part = cell.old_volume / (dim + 1.);
     for (unsigned int I = 0; I <= dim; ++I)
     {
+      const double part = cell.is_ring ? cell.old_shares[I] : cell.old_volume / (dim + 1.);
       for (unsigned int a = 0; a < dim; ++a)
         system.matrix[I * (dim + 1) + a][I * (dim + 1) + a] = cell.law->density() * part *
                                                               cell.acceleration_factor[I];
@@ -214,8 +221,10 @@ namespace Lahar
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
-      const auto corners           = state.shape_of(c, mesh.cells()[c]);
-      cell.old_volume              = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
+      const auto corners = state.shape_of(c, mesh.cells()[c]);
+      cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
+      if (cell.is_ring)
+        cell.old_shares = body_volume_shares<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
       cell.stabilization           = state.stabilization[c];
       cell.stabilization_viscosity = state.stabilization_viscosity[c];
       if (state.left_out[c])

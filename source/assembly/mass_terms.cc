@@ -26,6 +26,21 @@ namespace Lahar
       return areas;
     }
 
+    constexpr unsigned int radial = 0;
+
+    /// Add the derivative of R_I = factor Σ_J ∫ N_I N_J x_J over a ring with respect to the radii.
+    template <int dim>
+    void assemble_mass_by_radius(const FluidCell<dim> &cell, const double factor,
+                                 const std::array<double, dim + 1> &x, CellSystem<dim> &system)
+    {
+      using S = CellSystem<dim>;
+      if (cell.is_ring)
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int K = 0; K <= dim; ++K)
+            system.matrix[S::pressure_index(I)][S::index(K, radial)] += cell.motion * factor *
+                                                                        cell.mass_by_radius(I, K, x);
+    }
+
     /// R_I += ∫ N_I (1/κ) (p − p_n)/Δt.
     template <int dim>
     void assemble_compression(const FluidCell<dim> &cell, CellSystem<dim> &system)
@@ -36,6 +51,11 @@ namespace Lahar
       const double V               = cell.volume;
       const double compressibility = cell.law->compressibility() / cell.time_step;
       if (compressibility > 0.)
+      {
+        std::array<double, n> change;
+        for (unsigned int I = 0; I < n; ++I)
+          change[I] = cell.pressure[I] - cell.old_pressure[I];
+        assemble_mass_by_radius(cell, compressibility, change, system);
         for (unsigned int I = 0; I < n; ++I)
         {
           double rate = 0.;
@@ -50,6 +70,45 @@ namespace Lahar
             for (unsigned int b = 0; b < dim; ++b)
               system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * V * G[J][b] * rate;
         }
+      }
+    }
+
+    /// Pressure and incompressibility of a ring. V_K = ∫ N_K moves with the cell's corners, so that its rate is
+    /// ∫ N_K div v, and D_KJ = ∂V_K/∂x_J: R_J += Σ_K p_K D_KJ, R_K −= (V_K − V_K,n)/Δt.
+    template <int dim>
+    void assemble_ring_divergence(const FluidCell<dim> &cell, CellSystem<dim> &system)
+    {
+      using S                         = CellSystem<dim>;
+      constexpr unsigned n            = dim + 1;
+      const auto &G                   = cell.gradients;
+      double p_V                      = 0.; // Σ p_K V_K
+      std::array<double, n> by_radius = {}; // its derivatives where A does not change
+      for (unsigned int K = 0; K < n; ++K)
+      {
+        p_V += cell.pressure[K] * cell.share(K);
+        system.residual[S::pressure_index(K)] -= (cell.share(K) - cell.old_shares[K]) / cell.time_step;
+        for (unsigned int J = 0; J < n; ++J)
+        {
+          by_radius[J] += cell.pressure[K] * cell.share_by_radius(K, J);
+          for (unsigned int b = 0; b < dim; ++b)
+          {
+            const double D = cell.share(K) * G[J][b] + (b == radial ? cell.share_by_radius(K, J) : 0.);
+            system.matrix[S::index(J, b)][S::pressure_index(K)] += D;
+            system.matrix[S::pressure_index(K)][S::index(J, b)] -= D;
+          }
+        }
+      }
+      for (unsigned int I = 0; I < n; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+        {
+          system.residual[S::index(I, a)] += p_V * G[I][a] + (a == radial ? by_radius[I] : 0.);
+          for (unsigned int J = 0; J < n; ++J)
+            for (unsigned int b = 0; b < dim; ++b)
+              system.matrix[S::index(I, a)][S::index(J, b)] +=
+                cell.motion *
+                (p_V * (G[J][b] * G[I][a] - G[J][a] * G[I][b]) + (b == radial ? by_radius[J] * G[I][a] : 0.) +
+                 (a == radial ? by_radius[I] * G[J][b] : 0.));
+        }
     }
   } // namespace
 
@@ -58,6 +117,12 @@ namespace Lahar
   template <int dim>
   void PressureDivergence<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
+    if (cell.is_ring)
+    {
+      assemble_ring_divergence(cell, system);
+      assemble_compression(cell, system);
+      return;
+    }
     using S              = CellSystem<dim>;
     constexpr unsigned n = dim + 1;
     const auto &G        = cell.gradients;
@@ -139,8 +204,8 @@ namespace Lahar
           system.matrix[S::pressure_index(I)][S::pressure_index(J)] += tau_V * GG;
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::pressure_index(I)][S::index(J, b)] +=
-              tau_V *
-              (-mass_factor * G[I][b] + cell.motion * (G[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
+              tau_V * (-mass_factor * G[I][b] +
+                       cell.motion * (cell.expansion[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
         }
       }
     }
@@ -157,6 +222,11 @@ namespace Lahar
     const double dt = cell.time_step;
     const double c  = cell.stabilization * cell.law->density() * cell.law->compressibility() / (dt * dt);
     if (c > 0.)
+    {
+      std::array<double, dim + 1> change;
+      for (unsigned int I = 0; I <= dim; ++I)
+        change[I] = cell.pressure[I] - cell.old_pressure[I] - cell.old_pressure_rate[I] * dt;
+      assemble_mass_by_radius(cell, c, change, system);
       for (unsigned int I = 0; I <= dim; ++I)
       {
         double rate = 0.;
@@ -172,6 +242,7 @@ namespace Lahar
             system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * cell.volume *
                                                                    cell.gradients[J][b] * rate;
       }
+    }
   }
 
 
@@ -180,6 +251,7 @@ namespace Lahar
   void FICFreeSurface<dim>::assemble(const FluidCell<dim> &cell, const unsigned int k,
                                      CellSystem<dim> &system) const
   {
+    Assert(!cell.is_ring, ExcNotImplemented());
     // n = −G_k/|G_k|, 1/h_n = |G_k| and the face's area is dim V |G_k|, so that everything is polynomial in G and V.
     using S                   = CellSystem<dim>;
     constexpr unsigned n      = dim + 1;

@@ -7,6 +7,13 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    constexpr unsigned int radial = 0;
+  }
+
+
+
   template <int dim>
   void Inertia<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
@@ -29,6 +36,14 @@ namespace Lahar
             system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
         }
       }
+      if (cell.is_ring)
+        for (unsigned int K = 0; K < n; ++K)
+        {
+          const Tensor<1, dim> by_radius = cell.motion * cell.law->density() *
+                                           cell.mass_by_radius(I, K, cell.acceleration);
+          for (unsigned int a = 0; a < dim; ++a)
+            system.matrix[S::index(I, a)][S::index(K, radial)] += by_radius[a];
+        }
     }
   }
 
@@ -37,16 +52,26 @@ namespace Lahar
   template <int dim>
   void BodyForce<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    using S                    = CellSystem<dim>;
-    const Tensor<1, dim> force = -cell.law->density() * cell.volume / (dim + 1) * cell.gravity;
+    using S              = CellSystem<dim>;
+    Tensor<1, dim> force = -cell.law->density() * cell.volume / (dim + 1) * cell.gravity;
     for (unsigned int I = 0; I <= dim; ++I)
+    {
+      if (cell.is_ring)
+        force = -cell.law->density() * cell.share(I) * cell.gravity;
       for (unsigned int a = 0; a < dim; ++a)
       {
         system.residual[S::index(I, a)] += force[a];
         for (unsigned int J = 0; J <= dim; ++J)
+        {
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
+          if (cell.is_ring)
+            system.matrix[S::index(I, a)][S::index(J, radial)] -= cell.motion * cell.law->density() *
+                                                                  cell.share_by_radius(I, J) *
+                                                                  cell.gravity[a];
+        }
       }
+    }
   }
 
 
@@ -92,7 +117,9 @@ namespace Lahar
         tangent.B += plastic_weight * 2. * tau_y * plastic.derivative / rate * cell.deviator;
       else if (tau_y > 0.)
       {
-        const auto norm_of  = [](const SymmetricTensor<2, dim> &t) { return std::sqrt(0.5 * (t * t)); };
+        const auto norm_of = [&cell](const SymmetricTensor<2, dim> &t) {
+          return std::sqrt(0.5 * cell.product(t, t));
+        };
         const double gap    = norm_of(cell.plastic_dual - 2. * plastic.value * cell.deviator);
         const double norm   = norm_of(cell.plastic_dual);
         const double weight = std::min(plastic_weight,
@@ -101,6 +128,48 @@ namespace Lahar
                      cell.plastic_dual;
       }
       return tangent;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// What the hoop of a ring adds: R_Ir += V η τ_θθ, where out-of-plane components are less the trace of the others, and
+    /// in the Jacobian all that has η. @param traction τ G_I, A G_I and B G_I.
+    void assemble_hoop_stress(const FluidCell<2> &cell, const ViscousTangent<2> &tangent,
+                              const SymmetricTensor<2, 2> &stress,
+                              const std::array<std::array<Tensor<1, 2>, 3>, 3> &traction,
+                              CellSystem<2> &system)
+    {
+      using S                      = CellSystem<2>;
+      const auto &G                = cell.gradients;
+      const auto &[stress_G, A, B] = traction;
+      const double eta = cell.hoop_gradient, hoop_stress = -trace(stress);
+      const double hoop_A = -trace(tangent.A), hoop_B = -trace(tangent.B);
+      const double mu_V = tangent.viscosity * cell.volume, c_V = tangent.coefficient * cell.volume,
+                   s_V = cell.motion * cell.volume;
+      for (unsigned int I = 0; I < 3; ++I)
+      {
+        system.residual[S::index(I, radial)] += cell.volume * eta * hoop_stress;
+        for (unsigned int J = 0; J < 3; ++J)
+        {
+          const double hoop = eta * cell.hoop_w[J]; // δL_θθ
+          for (unsigned int b = 0; b < 2; ++b)
+          {
+            const Tensor<1, 2> &w = cell.w[J][b];
+            system.matrix[S::index(I, radial)][S::index(J, b)] +=
+              eta * (-2. / 3. * mu_V * (w * G[J]) + c_V * (hoop_A * (w * B[J]) + hoop_B * (w * A[J])) +
+                     s_V * hoop_stress * G[J][b]);
+          }
+          for (unsigned int a = 0; a < 2; ++a)
+            system.matrix[S::index(I, a)][S::index(J, radial)] +=
+              hoop * (-2. / 3. * mu_V * G[I][a] + c_V * (A[I][a] * hoop_B + B[I][a] * hoop_A)) +
+              s_V * eta * stress_G[I][a];
+          system.matrix[S::index(I, radial)][S::index(J, radial)] +=
+            eta * hoop * (4. / 3. * mu_V + 2. * c_V * hoop_A * hoop_B);
+        }
+      }
     }
   } // namespace
 
@@ -144,6 +213,9 @@ namespace Lahar
               s_V * (G[J][b] * traction[I][a] - traction[J][a] * G[I][b]);
         }
       }
+    if constexpr (dim == 2)
+      if (cell.is_ring)
+        assemble_hoop_stress(cell, tangent, stress, {{traction, A, B}}, system);
 
     if (viscosity.pressure_derivative == 0. || linearization == ViscosityLinearization::picard ||
         !(cell.mean_pressure() < 0.))
@@ -152,7 +224,9 @@ namespace Lahar
                                                 cell.deviator;
     for (unsigned int I = 0; I < n; ++I)
     {
-      const Tensor<1, dim> column = by_pressure * G[I];
+      Tensor<1, dim> column = by_pressure * G[I];
+      if (cell.is_ring)
+        column[radial] -= cell.hoop_gradient * trace(by_pressure);
       for (unsigned int J = 0; J < n; ++J)
         for (unsigned int a = 0; a < dim; ++a)
           system.matrix[S::index(I, a)][S::pressure_index(J)] += column[a];

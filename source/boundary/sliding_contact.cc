@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/sliding_contact.h>
+#include <lahar/geometry/symmetry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +160,9 @@ namespace Lahar
         }
         if (!all_touch)
           continue;
+        double sum_of_radii = 0.;
+        for (const Point<dim> &corner : corners)
+          sum_of_radii += corner[0];
         for (unsigned int k = 0; k < dim; ++k)
           if (facets[k] != ParticleCloud<dim>::no_facet)
           {
@@ -173,7 +177,7 @@ namespace Lahar
                                          step.velocity(boundary, corners[k]),
                                          0.};
             }
-            contact->second.area += area / dim;
+            contact->second.area += face_share<dim>(area, sum_of_radii, corners[k][0]);
           }
       }
     }

@@ -5,7 +5,7 @@
 #include <lahar/geometry/mesh_body.h>
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/polygon.h>
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +108,7 @@ namespace Lahar
   {
     double sum = 0.;
     for (const Simplex<dim> &cell : cells)
-      sum += signed_volume<dim>(corners_of<dim>(cell, nodes));
+      sum += body_volume<dim>(corners_of<dim>(cell, nodes));
     return sum;
   }
 
@@ -174,7 +174,10 @@ namespace Lahar
   template <int dim>
   double MeshBody<dim>::estimate_size(const double h) const
   {
-    double n = nodes.size() + volume() / std::pow(h, dim) * (dim == 2 ? 1.2 : 1.6);
+    double size = 0.;
+    for (const Simplex<dim> &cell : cells)
+      size += signed_volume<dim>(corners_of<dim>(cell, nodes));
+    double n = nodes.size() + size / std::pow(h, dim) * (dim == 2 ? 1.2 : 1.6);
     // Spikes have much of a contour and little volume.
     for (const WallFacet<dim> &facet : facets.facets())
     {

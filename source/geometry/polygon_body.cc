@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/polygon_body.h>
+#include <lahar/geometry/symmetry.h>
 
 namespace Lahar
 {
@@ -20,7 +21,16 @@ namespace Lahar
 
   double PolygonBody::volume() const
   {
-    return signed_area(contour);
+    if (!Symmetry::is_rotational())
+      return signed_area(contour);
+    // ∫ 2π x = ∮ π x² dy
+    double sum = 0.;
+    for (unsigned int i = 0; i < contour.size(); ++i)
+    {
+      const Point<2> &a = contour[i], &b = contour[(i + 1) % contour.size()];
+      sum += numbers::PI / 3. * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0]) * (b[1] - a[1]);
+    }
+    return sum;
   }
 
 

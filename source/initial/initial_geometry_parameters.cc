@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/symmetry.h>
+#include <lahar/initial/axis.h>
 #include <lahar/initial/initial_geometry.h>
 #include <lahar/material/newtonian.h>
 #include <lahar/utilities/factory.h>
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace Lahar
 {
@@ -99,6 +102,37 @@ namespace Lahar
       prm.leave_subsection();
     }
     prm.leave_subsection();
+    if constexpr (dim == 2)
+      if (Symmetry::is_rotational())
+        add_axis(prm);
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::add_axis(Parameters &prm)
+  {
+    std::vector<Point<dim>> points;
+    for (const auto &body : bodies)
+    {
+      const Box<dim> box = body->box();
+      if (box.lower[0] < 0.)
+      {
+        std::ostringstream message;
+        message
+          << "Fluid " << body->name() << " reaches to x = " << box.lower[0]
+          << " m, but 'Geometry' is 'rotational symmetry'. Allowed: x >= 0, the distance from the axis.";
+        throw InputError(message.str());
+      }
+      points.insert(points.end(), {box.lower, box.upper});
+    }
+    for (const WallShape<dim> &wall : wall_shapes)
+      for (const WallFacet<dim> &facet : wall.facets())
+        points.insert(points.end(), facet.corners.begin(), facet.corners.end());
+    if constexpr (dim == 2)
+      boundaries.push_back(make_axis(prm, points));
+    for (const WallShape<dim> &wall : boundaries.back().walls(boundaries.size() - 1))
+      wall_shapes.push_back(wall);
   }
 
 
@@ -183,6 +217,7 @@ namespace Lahar
 
   template void InitialGeometry<2>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<2>::parse_parameters(Parameters &, const CaseStructure &);
+  template void InitialGeometry<2>::add_axis(Parameters &);
   template unsigned int InitialGeometry<2>::fluid_number(const Inflow &) const;
   template std::vector<typename Inlets<2>::Source> InitialGeometry<2>::inflows() const;
   template Outlets<2> InitialGeometry<2>::outlets() const;

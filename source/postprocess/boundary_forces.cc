@@ -2,6 +2,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <lahar/geometry/symmetry.h>
+#include <lahar/initial/axis.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
@@ -97,6 +99,8 @@ namespace Lahar
     Utilities::MPI::sum(components, snapshot.communicator(), components);
     for (unsigned int b = 0; b < names.size(); ++b)
     {
+      if (Symmetry::applies<dim>() && names[b] == axis_name)
+        continue; // it exerts none
       for (unsigned int d = 0; d < dim; ++d)
         forces[b][d] = components[dim * b + d];
       add_force_columns(statistics, snapshot, names[b], "force", forces[b]);

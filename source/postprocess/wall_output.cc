@@ -4,6 +4,7 @@
 
 #include <deal.II/grid/reference_cell.h>
 
+#include <lahar/geometry/symmetry.h>
 #include <lahar/postprocess/wall_output.h>
 
 #include <algorithm>
@@ -16,6 +17,10 @@ namespace Lahar
     std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
     for (const WallFacet<dim> &facet : walls.facets())
     {
+      // The axis of symmetry is far longer than what there is to see.
+      if (Symmetry::applies<dim>() && walls.facets().size() > 1 && facet.corners[0][0] == 0. &&
+          facet.corners[1][0] == 0.)
+        continue;
       DataOutBase::Patch<dim - 1, dim> patch;
       patch.reference_cell = ReferenceCells::get_simplex<dim - 1>();
       patch.patch_index    = patches.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -231,7 +231,7 @@ namespace Lahar
     double sum = 0.;
     for (const Simplex<dim> &cell : cells_of_particles)
       if (cloud.is_own(cell))
-        sum += signed_volume<dim>(corners_of<dim>(cell, cloud.position));
+        sum += body_volume<dim>(corners_of<dim>(cell, cloud.position));
     return sum;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/old_domain.h>
 
 #include <algorithm>
@@ -56,8 +56,8 @@ namespace Lahar
         continue;
       for (const unsigned int particle : simplex)
         cells_of[particle].push_back(cells.size());
-      cells.push_back(
-        {transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex, volume, cloud.is_own(simplex)});
+      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex,
+                       body_volume<dim>(corners), cloud.is_own(simplex)});
     }
     for (const BoundaryFace &face : mesh.boundary_faces())
     {

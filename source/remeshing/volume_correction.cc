@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/connected_parts.h>
 #include <lahar/remeshing/volume_correction.h>
 
@@ -35,7 +35,7 @@ namespace Lahar
       std::vector<ChangedCell<dim>> changed;
       const auto add_new = [&](const Simplex<dim> &cell) {
         if (cloud.is_own(cell))
-          changed.push_back({cell, signed_volume<dim>(corners_of<dim>(cell, cloud.position))});
+          changed.push_back({cell, body_volume<dim>(corners_of<dim>(cell, cloud.position))});
       };
       // Both meshes' cells are sorted, and particles keep their order when they are renumbered, so what is in both is
       // found in one pass, once the old cells with removed corners are out of the way.
@@ -50,7 +50,7 @@ namespace Lahar
           if (cell != cells.end() && *cell == old_cell)
           {
             // The same cell, but a merged corner may have moved.
-            const double volume = signed_volume<dim>(corners_of<dim>(*cell++, cloud.position));
+            const double volume = body_volume<dim>(corners_of<dim>(*cell++, cloud.position));
             if (own && std::abs(volume - old_volume) >= 1e-10 * old_volume)
               changed.push_back({old_cell, volume - old_volume});
             continue;
@@ -77,9 +77,12 @@ namespace Lahar
           // −d V ∇λ is the area vector of the face opposite to a corner.
           const Tensor<1, dim> face_area = -dim * signed_volume<dim>(corners) *
                                            shape_gradients<dim>(corners)[face.opposite];
+          double sum_of_radii = 0.;
+          for (unsigned int a = 0; a <= dim; ++a)
+            sum_of_radii += a != face.opposite ? corners[a][0] : 0.;
           for (unsigned int a = 0; a <= dim; ++a)
             if (a != face.opposite)
-              area[cell[a]] += face_area / dim;
+              area[cell[a]] += face_share<dim>(face_area, sum_of_radii, corners[a][0]);
         }
       return area;
     }
@@ -140,7 +143,7 @@ namespace Lahar
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
         if (const Simplex<dim> &cell = mesh.particle_cells()[c]; cloud.is_own(cell))
           growth[place_of<dim>(cell, cloud)] +=
-            std::max(0., signed_volume<dim>(corners_of<dim>(cell, cloud.position))) - before[c];
+            std::max(0., body_volume<dim>(corners_of<dim>(cell, cloud.position))) - before[c];
       return growth;
     }
   } // namespace
@@ -153,7 +156,7 @@ namespace Lahar
   {
     std::vector<double> volumes;
     for (const Simplex<dim> &cell : mesh.particle_cells())
-      volumes.push_back(signed_volume<dim>(corners_of<dim>(cell, cloud.position)));
+      volumes.push_back(body_volume<dim>(corners_of<dim>(cell, cloud.position)));
     return volumes;
   }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/symmetry.h>
+#include <lahar/initial/axis.h>
 #include <lahar/simulator/case.h>
 
 namespace Lahar
@@ -30,7 +32,24 @@ namespace Lahar
       if (const Inflow *inflow = boundary.inflow())
         inflow->check_times(run.start_time, run.end_time);
     }
+    if (Symmetry::applies<dim>())
+      check_symmetry(prm, structure);
     domain_limit.parse_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void Case<dim>::check_symmetry(Parameters &prm, const CaseStructure &structure) const
+  {
+    if (!structure.solids.empty())
+      throw InputError("Parameter 'Solids' has '" + structure.solids[0] +
+                       "'. Allowed: nothing, as 'Geometry' is 'rotational symmetry'.");
+    if (gravity[0] != 0.)
+      prm.throw_wrong_value("Gravity", "'0, g', along the axis, as 'Geometry' is 'rotational symmetry'");
+    if constexpr (dim == 2)
+      for (unsigned int b = 0; b < structure.boundaries.size(); ++b) // not of the axis
+        check_boundary_about_axis(geometry.all_boundaries()[b], run.start_time, run.end_time);
   }
 
 

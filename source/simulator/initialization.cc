@@ -2,6 +2,7 @@
 
 #include <lahar/boundary/open_floor.h>
 #include <lahar/boundary/wall_contact.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/first_mesh_check.h>
 #include <lahar/simulator/cost_estimate.h>
 #include <lahar/simulator/simulator.h>
@@ -15,6 +16,12 @@ namespace Lahar
 {
   namespace
   {
+    template <int dim>
+    std::string volume_unit()
+    {
+      return dim == 2 && !Symmetry::is_rotational() ? " m^2" : " m^3";
+    }
+
     /// Particles that one round inserts and the next one removes would go on for ever.
     constexpr unsigned int most_first_rounds = 10;
   } // namespace
@@ -102,7 +109,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::warn_of_coarse_mesh()
   {
-    const std::string unit = dim == 2 ? " m^2" : " m^3";
+    const std::string unit = volume_unit<dim>();
     const auto warn        = [&](const std::ostringstream &text) { output.warn("Warning: " + text.str()); };
     const double asked = input.geometry.fluid_volume(), difference = account.volume.initial_volume() - asked;
     if (std::abs(difference) > 0.01 * asked)
@@ -187,7 +194,7 @@ namespace Lahar
     text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
          << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
          << "\nFluid cells      " << n_fluid_cells << "\nUnknowns         " << (dim + 1) * n_vertices
-         << "\nFluid volume     " << account.volume.initial_volume() << (dim == 2 ? " m^2" : " m^3");
+         << "\nFluid volume     " << account.volume.initial_volume() << volume_unit<dim>();
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/simulator/momentum_account.h>
 
 namespace Lahar
@@ -13,10 +13,19 @@ namespace Lahar
     for (const Simplex<dim> &cell : mesh.particle_cells())
       if (cloud.is_own(cell))
       {
+        const auto corners = corners_of<dim>(cell, cloud.position);
+        if (Symmetry::applies<dim>())
+        {
+          const auto shares = body_volume_shares<dim>(corners);
+          for (unsigned int c = 0; c <= dim; ++c)
+            momentum += density * shares[c] *
+                        (cloud.velocity[cell[c]] - carried_time * cloud.algorithmic_acceleration[cell[c]]);
+          continue;
+        }
         Tensor<1, dim> sum;
         for (const unsigned int i : cell)
           sum += cloud.velocity[i] - carried_time * cloud.algorithmic_acceleration[i];
-        momentum += density * signed_volume<dim>(corners_of<dim>(cell, cloud.position)) / (dim + 1) * sum;
+        momentum += density * signed_volume<dim>(corners) / (dim + 1) * sum;
       }
     return Utilities::MPI::sum(momentum, communicator);
   }

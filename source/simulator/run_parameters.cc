@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/symmetry.h>
 #include <lahar/simulator/run_parameters.h>
 
 #include <algorithm>
@@ -9,7 +10,12 @@ namespace Lahar
 {
   void RunParameters::declare_parameters(Parameters &prm)
   {
-    prm.declare_choice("Dimension", "2", "2|3", "Space dimension: 2 (plane strain) or 3.");
+    prm.declare_choice("Dimension", "2", "2|3", "Space dimension: 2, see 'Geometry', or 3.");
+    prm.declare_choice(
+      "Geometry", "plane", "plane|rotational symmetry",
+      "What two dimensions stand for. plane: plane strain, all extensive quantities per metre of depth. rotational "
+      "symmetry: x is the distance r from the axis x = 0 and y the height z, without flow round the axis; volumes, "
+      "masses, energies and forces are those of the whole body. In three dimensions 'plane' has no meaning.");
     prm.declare_file_list("Plugins",
                           "Shared libraries with further models, separated by ';', see doc/extending.md.");
     prm.declare_names(
@@ -59,6 +65,11 @@ namespace Lahar
   {
     if (prm.get("Dimension") != "2" && prm.get("Dimension") != "3")
       prm.throw_wrong_value("Dimension", "2|3");
+    if (prm.get("Geometry") != "plane" && prm.get("Geometry") != "rotational symmetry")
+      prm.throw_wrong_value("Geometry", "plane|rotational symmetry");
+    Symmetry::set_rotational(prm.get("Geometry") == "rotational symmetry");
+    if (Symmetry::is_rotational() && prm.get("Dimension") != "2")
+      prm.throw_wrong_value("Geometry", "plane, as 'Dimension' is 3");
     output_directory = prm.get("Output directory");
     if (output_directory.empty())
       prm.throw_wrong_value("Output directory", "the name of a directory");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test every term of the weak form in 2D and 3D: its Jacobian against central differences of its residual, where the
-// nodes move with their velocities, and the identities that the residuals obey.
+// Test every term of the weak form in 2D, with rotational symmetry and in 3D: its Jacobian against central differences of
+// its residual, where the nodes move with their velocities, and the identities that the residuals obey.
 
 #include <deal.II/base/utilities.h>
 
@@ -33,6 +33,9 @@ struct Example
       if (I > 0)
         old_position[I][I - 1] = 1.;
       old_position[I] += 0.2 * random.vector<dim>();
+      if (cell.is_ring)
+        old_position[I][0] += 0.3;
+      cell.old_shares[I]          = 0.04 * (I + 1);
       old_velocity[I]             = 0.5 * random.vector<dim>();
       cell.velocity_factor[I]     = (impulsive && I == 1 ? 1. : 1.6);
       cell.acceleration_factor[I] = (impulsive && I == 1 ? 10. : 22.);
@@ -112,6 +115,12 @@ struct Example
   }
 };
 
+template <int dim>
+std::string name_of()
+{
+  return Symmetry::applies<dim>() ? "ring" : Utilities::int_to_string(dim) + "D";
+}
+
 template <int dim, typename Assemble>
 void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble &assemble,
                     const double mean_pressure = 0.)
@@ -120,7 +129,7 @@ void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble
   double error = 0.;
   for (unsigned int sample = 0; sample < 20; ++sample)
     error = std::max(error, Example<dim>(random, law, sample % 2, mean_pressure).jacobian_error(assemble));
-  check(Utilities::int_to_string(dim) + "D Jacobian: " + name, error, 1e-6);
+  check(name_of<dim>() + " Jacobian: " + name, error, 1e-6);
 }
 
 template <typename Term>
@@ -159,7 +168,7 @@ void check_primal_dual(const FluidLaw &law, const double mean_pressure = 0.)
         error = std::max(error,
                          std::abs(dual[i][j] - (1. - weight) * picard[i][j] - weight * newton[i][j]) / size);
   }
-  const std::string name = Utilities::int_to_string(dim) + "D primal-dual tangent ";
+  const std::string name = name_of<dim>() + " primal-dual tangent ";
   check(name + "lies between Picard and Newton", error, 1e-12);
   check(name + "has one weight", highest - lowest, 1e-10);
   check(name + "has a weight from 0.8 to 1", lowest > 0.8 && highest < 1. + 1e-10);
@@ -188,7 +197,7 @@ void check_pressure_columns(const FluidLaw &law)
         picard_size          = std::max(picard_size, std::abs(picard[i][j]));
       }
   }
-  const std::string name = Utilities::int_to_string(dim) + "D derivative with respect to the pressure: ";
+  const std::string name = name_of<dim>() + " derivative with respect to the pressure: ";
   check(name + "there is one", size > 0.01);
   check(name + "primal-dual has Newton's", error, 0.);
   check(name + "Picard has none", picard_size, 0.);
@@ -261,19 +270,13 @@ void check_identities(const FluidLaw &law)
   check(name + "hydrostatic pressure leaves no mass residual", mass_residual, 1e-13);
 }
 
+/// The Jacobians that are there with rotational symmetry, too.
 template <int dim>
-void test()
+void check_jacobians(const FluidLaw &bingham, const FluidLaw &newtonian)
 {
-  const auto bingham   = make_law("Bingham", {{"Density", "1.3"},
-                                              {"Bulk modulus", "5"},
-                                              {"Plastic viscosity", "0.7"},
-                                              {"Yield stress", "2"},
-                                              {"Regularization parameter", "3"}});
-  const auto newtonian = make_law("Newtonian", {{"Density", "1.3"}, {"Viscosity", "0.7"}});
-
-  check_jacobian<dim>("inertia", *bingham, assembler(Inertia<dim>()));
-  check_jacobian<dim>("weight", *bingham, assembler(BodyForce<dim>()));
-  check_jacobian<dim>("viscous stress, Bingham, newton", *bingham,
+  check_jacobian<dim>("inertia", bingham, assembler(Inertia<dim>()));
+  check_jacobian<dim>("weight", bingham, assembler(BodyForce<dim>()));
+  check_jacobian<dim>("viscous stress, Bingham, newton", bingham,
                       assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
   const auto thinning = make_law("Herschel-Bulkley", {{"Density", "1.3"},
                                                       {"Consistency", "0.7"},
@@ -284,19 +287,16 @@ void test()
                       assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
   for (const auto linearization :
        {ViscosityLinearization::picard, ViscosityLinearization::newton, ViscosityLinearization::primal_dual})
-    check_jacobian<dim>("viscous stress, Newtonian", *newtonian,
-                        assembler(ViscousStress<dim>(linearization)));
-  check_jacobian<dim>("pressure and divergence", *bingham, assembler(PressureDivergence<dim>()));
-  check_jacobian<dim>("FIC inside", *bingham, assembler(FICInterior<dim>()));
-  check_jacobian<dim>("residual stabilisation", *bingham, assembler(ResidualStabilization<dim>()));
-  for (unsigned int opposite = 0; opposite <= dim; ++opposite)
-    check_jacobian<dim>("FIC on the free surface, Newtonian", *newtonian,
-                        [opposite](const auto &cell, auto &system) {
-                          FICFreeSurface<dim>().assemble(cell, opposite, system);
-                        });
-  check_primal_dual<dim>(*bingham);
+    check_jacobian<dim>("viscous stress, Newtonian", newtonian, assembler(ViscousStress<dim>(linearization)));
+  check_jacobian<dim>("pressure and divergence", bingham, assembler(PressureDivergence<dim>()));
+  check_jacobian<dim>("FIC inside", bingham, assembler(FICInterior<dim>()));
+  check_jacobian<dim>("residual stabilisation", bingham, assembler(ResidualStabilization<dim>()));
+}
 
-  // Laws that depend on the pressure, compressed and in tension.
+/// Laws that depend on the pressure, compressed and in tension.
+template <int dim>
+void check_grains()
+{
   const Entries grains = {{"Density", "1.3"}, {"Grain density", "2"}, {"Grain diameter", "0.2"}};
   const auto with      = [&](const Entries &more) {
     Entries all = grains;
@@ -322,7 +322,35 @@ void test()
     check_jacobian<dim>("viscous stress, Barker-Gray, newton" + state, *creep, term, mean_pressure);
   }
   check_pressure_columns<dim>(*sand);
+}
+
+template <int dim>
+void test()
+{
+  const auto bingham   = make_law("Bingham", {{"Density", "1.3"},
+                                              {"Bulk modulus", "5"},
+                                              {"Plastic viscosity", "0.7"},
+                                              {"Yield stress", "2"},
+                                              {"Regularization parameter", "3"}});
+  const auto newtonian = make_law("Newtonian", {{"Density", "1.3"}, {"Viscosity", "0.7"}});
+
+  check_jacobians<dim>(*bingham, *newtonian);
+  for (unsigned int opposite = 0; opposite <= dim; ++opposite)
+    check_jacobian<dim>("FIC on the free surface, Newtonian", *newtonian,
+                        [opposite](const auto &cell, auto &system) {
+                          FICFreeSurface<dim>().assemble(cell, opposite, system);
+                        });
+  check_primal_dual<dim>(*bingham);
+
+  check_grains<dim>();
   check_identities<dim>(*bingham);
+  if (dim == 3)
+    return;
+  Symmetry::set_rotational(true);
+  check_jacobians<dim>(*bingham, *newtonian);
+  check_primal_dual<dim>(*bingham);
+  check_grains<dim>();
+  Symmetry::set_rotational(false);
 }
 
 int main()

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test checkpoints and --resume of the program `lahar` from outside, each run in a directory of its own.
 
-column, barrier, refined, space: a run that is stopped by signals and resumed leaves, bit for bit, the files of one that
-          is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, in space.
+column, barrier, refined, rotational, space: a run that is stopped by signals and resumed leaves, bit for bit, the files
+          of one that is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, with
+          rotational symmetry, in space.
 rejected, rejected_space: a step that is given up and repeated with half its length leaves, bit for bit, the files of a
           run that begins with the length that succeeds.
 changed:  harmless parameters may change between the two, others are refused by name; numbers may be written otherwise.
@@ -54,6 +55,8 @@ subsection Remeshing
   set Refined boxes = 0.1, 0 : 0.17, 0.05 : 0.0075
 end
 """
+
+ROTATIONAL = COLLAPSE + walls("0, 0 : 0.2, 0 : 0.2, 0.4") + "set Geometry = rotational symmetry\n"
 
 PLAIN = """
 subsection Remeshing
@@ -338,8 +341,9 @@ def main():
     group = sys.argv[1]
     parent = tempfile.mkdtemp()
     try:
-        if group in ("column", "barrier", "refined", "space"):
-            test_stopped(parent, {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "space": SPACE}[group])
+        cases = {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "rotational": ROTATIONAL, "space": SPACE}
+        if group in cases:
+            test_stopped(parent, cases[group])
         elif group in ("rejected", "rejected_space"):
             test_rejected(parent, {"rejected": BARRIER, "rejected_space": SPACE}[group])
         else:

@@ -9,7 +9,7 @@ import os
 import sys
 
 from attempts import FLUID, GOOD, MESH, MESH_IN_SPACE, TOP, WALLS, in_spike, refused, set_entry, write_spike, wrong
-from program_test import failed, fluid, parts, section, shape, wall, walls
+from program_test import barrier, failed, fluid, parts, section, shape, wall, walls
 
 
 def test_inflows(model):
@@ -50,6 +50,31 @@ def test_inflows(model):
     refused("an outflow with fluid behind it", ["'weir'", "behind it", "llowed"],
             text=case(weir=shape("polyline", "Points = 0.1, 0 : 0.1, 0.3") + "set Law = outflow\n" +
                       section("outflow", "set Direction = 1, 0")))
+
+
+def test_rotational_symmetry():
+    """What makes no sense of the half plane (r, z)."""
+    def case(body="0, 0 : 0.146, 0.292", points="0, 0 : 0.5, 0", law="", name="floor"):
+        return (TOP + "set Geometry = rotational symmetry\n" + fluid(body) +
+                parts("Boundaries", {name: shape("polyline", "Points = " + points) + law}))
+
+    symmetry = "'rotational symmetry'"
+    for what, expected, text, arguments in [
+            ("in space", ["'Geometry'", symmetry, "'Dimension' is 3"],
+             TOP + "set Dimension = 3\nset Geometry = rotational symmetry\n" + fluid("0, 0, 0 : 1, 1, 1"), []),
+            ("gravity across the axis", ["'Gravity'", "1, -9.81", "0, g"], case(), set_entry("Gravity", "1, -9.81")),
+            ("fluid beyond the axis", ["'fluid'", "x = -0.1", "x >= 0"], case(body="-0.1, 0 : 0.1, 0.1"), []),
+            ("a wall beyond the axis", ["'floor'", "x = -0.1", "x >= 0"], case(points="-0.1, 0 : 0.5, 0"), []),
+            ("a wall along the axis", ["'floor'", "along the axis", "boundary by itself"], case(points="0, 1 : 0, 0 : 0.5, 0"), []),
+            ("a boundary of the axis' name", ["'axis'", "another name"], case(name="axis"), []),
+            ("a wall that moves aside", ["'floor'", "moves in x", "along y"],
+             case(law="set Motion = translation\n" + section("translation", "set Displacement = 0.1 * t; 0")), []),
+            ("an outflow", ["'floor'", "lets fluid in or out", "rigid"],
+             case(law="set Law = outflow\n" + section("outflow", "set Direction = 0, -1")), []),
+            ("solids", ["'Solids'", "barrier", "nothing"], case() + barrier(0.2, 0.212), []),
+            ("the stabilisation FIC", ["'Stabilization/Form'", "FIC", "Geometry"], case(), set_entry("Stabilization/Form", "FIC")),
+            ("another geometry", ["'Geometry'", "sphere", "plane|rotational symmetry"], case(), set_entry("Geometry", "sphere"))]:
+        refused("rotational symmetry: " + what, [*expected, "llowed"], *arguments, text=text)
 
 
 def write(directory, name, text):
@@ -182,6 +207,7 @@ def test_refused():
     wrong(WALLS + "Navier slip/Slip coefficient", "0", more=model("Law", "Navier slip"))
     wrong(WALLS + "yield slip/Sliding yield stress", "0", more=model("Law", "yield slip"))
     test_inflows(model)
+    test_rotational_symmetry()
     for entry, value in [("convex", "0, 0, 0 : 1, 0, 0 : 0, 1, 0 : 1, 1, 0"), ("convex", "")]:
         refused("%s = %s" % (entry, value), ["'%s%s/Corners'" % (FLUID, entry), value, "llowed"], *set_entry(
             FLUID + "Shape", entry), *set_entry(FLUID + entry + "/Corners", value), text=in_space)

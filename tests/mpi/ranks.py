@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test the program `lahar` on several ranks, each run in a directory of its own.
 
-column, barrier, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an elastic
-          barrier, in space with the iterative solver; linear and nonlinear tolerances are tight, so that rounding is all
-          that differs. The pieces of a snapshot are the whole.
+column, barrier, rotational, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an
+          elastic barrier, with rotational symmetry, in space with the iterative solver; linear and nonlinear tolerances are
+          tight, so that rounding is all that differs. The pieces of a snapshot are the whole.
 rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
 pieces:   so is a piece in the place of another rank's, of another checkpoint or another run, or of the same number in a run
@@ -76,6 +76,8 @@ subsection Postprocess
 end
 """
 
+ROTATIONAL = COLUMN.replace("0, 0.4 : 0, 0 : 0.5, 0", "0, 0 : 0.5, 0") + "set Geometry = rotational symmetry\n"
+
 SPACE = """
 set Dimension        = 3
 set Output directory = out
@@ -100,7 +102,7 @@ set End time         = 0.005
 set Largest movement = 1e-3
 """
 
-CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "space": SPACE + TIGHT,
+CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "rotational": ROTATIONAL + TIGHT, "space": SPACE + TIGHT,
          "rejected": BARRIER + TIGHT + CAUTIOUS}
 
 # What measures convergence, not the flow.

@@ -53,4 +53,5 @@ def main():
     check.finish()
 
 
-run_check(main)
+if __name__ == "__main__":
+    run_check(main)

@@ -6,6 +6,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <lahar/geometry/symmetry.h>
 #include <lahar/material/fluid_law.h>
 
 #include <algorithm>
@@ -27,6 +28,13 @@ namespace Lahar
    *
    * With s = 0 in #motion the terms leave the derivatives of the geometry out, but for that of the volume in the mass
    * equation, without which there is no flow.
+   *
+   * With rotational symmetry (Symmetry) the cell is a ring: V = 2π r̄ A, and strain has the hoop component
+   * L_θθ = v_r/r, taken at the centroid, v̄_r/r̄. With η = 1/(3 r̄) it is Σ v_Ir η, and
+   *
+   *   δV = s V E_Jb, E_J = G_J + η e_r,   δη = −s η² δ_br,   δL_θθ = η w_θJ δ_br, w_θJ = c_J − s L_θθ;
+   *
+   * V (tr L + L_θθ) is the rate of V. All are regular on the axis, since r̄ > 0. In the plane and in space E_J = G_J.
    */
   template <int dim>
   struct FluidCell
@@ -41,7 +49,7 @@ namespace Lahar
 
     std::array<Tensor<1, dim>, n_nodes> gradients; ///< G_I, 1/m
     double volume     = 0.;
-    double old_volume = 0.; ///< at the start of the step
+    double old_volume = 0.; ///< at the start of the step; with rotational symmetry the area in the plane
 
     Tensor<2, dim> velocity_gradient; ///< L_ij = ∂v_i/∂x_j
     SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
@@ -52,6 +60,16 @@ namespace Lahar
     std::array<double, n_nodes> acceleration_factor = {};   ///< derivative of the acceleration, 1/s
     double motion                                   = 0.;   ///< s: Δt or zero
     std::array<std::array<Tensor<1, dim>, dim>, n_nodes> w; ///< w_Jb
+    std::array<Tensor<1, dim>, n_nodes> expansion;          ///< E_J, 1/m
+
+    bool is_ring                           = Symmetry::applies<dim>();
+    double section                         = 0.; ///< A, in the plane; #volume without rotational symmetry
+    double hoop_rate                       = 0.; ///< L_θθ, 1/s
+    double hoop_gradient                   = 0.; ///< η, 1/m
+    std::array<double, n_nodes> hoop_w     = {}; ///< w_θJ
+    std::array<double, n_nodes> radius     = {}; ///< r_I, m
+    std::array<double, n_nodes> old_shares = {}; ///< body_volume_shares() at the start of the step
+
     Tensor<1, dim> gravity;
     const FluidLaw *law            = nullptr;
     double stabilization           = 0.;  ///< τ_s, m³ s/kg
@@ -101,19 +119,63 @@ namespace Lahar
     /// The edge of the equilateral simplex with the same volume, m.
     double edge() const
     {
-      return dim == 2 ? std::sqrt(4. / std::sqrt(3.) * volume) : std::cbrt(6. * std::sqrt(2.) * volume);
+      return dim == 2 ? std::sqrt(4. / std::sqrt(3.) * section) : std::cbrt(6. * std::sqrt(2.) * section);
     }
 
     /// ∫ N_I N_J over the cell, divided by its volume.
-    static constexpr double mass(const unsigned int I, const unsigned int J)
+    double mass(const unsigned int I, const unsigned int J) const
     {
+      if constexpr (dim == 2)
+        if (is_ring)
+        {
+          double sum = 0.;
+          for (unsigned int K = 0; K < n_nodes; ++K)
+            sum += product_of_three(I, J, K) * radius[K];
+          return 3. * hoop_gradient * sum;
+        }
       return (I == J ? 2. : 1.) / ((dim + 1) * (dim + 2));
+    }
+
+    /// Derivative of Σ_J x_J ∫ N_I N_J over a ring with respect to the radius of node K.
+    template <typename Number>
+    Number mass_by_radius(const unsigned int I, const unsigned int K,
+                          const std::array<Number, n_nodes> &x) const
+    {
+      Number sum = Number();
+      for (unsigned int J = 0; J < n_nodes; ++J)
+        sum += 2. * numbers::PI * section * product_of_three(I, J, K) * x[J];
+      return sum;
+    }
+
+    /// The same of ∫ N_I.
+    double share_by_radius(const unsigned int I, const unsigned int K) const
+    {
+      return 2. * numbers::PI * section / 12. * (I == K ? 2. : 1.);
+    }
+
+    /// ∫ N_I over a ring.
+    double share(const unsigned int I) const
+    {
+      return ring_share(section, 1. / hoop_gradient, radius[I]);
+    }
+
+    /// a:b of deviators, with their components out of the plane where these are those of a hoop.
+    double product(const SymmetricTensor<2, dim> &a, const SymmetricTensor<2, dim> &b) const
+    {
+      return is_ring ? a * b + trace(a) * trace(b) : a * b;
     }
 
     /// ∫ N_I N_J over a face with both nodes, divided by its area.
     static constexpr double face_mass(const unsigned int I, const unsigned int J)
     {
       return (I == J ? 2. : 1.) / (dim * (dim + 1));
+    }
+
+  private:
+    /// ∫ N_I N_J N_K over a triangle, divided by its area.
+    static constexpr double product_of_three(const unsigned int I, const unsigned int J, const unsigned int K)
+    {
+      return (I == J && J == K ? 6. : (I == J || J == K || I == K ? 2. : 1.)) / 60.;
     }
   };
 

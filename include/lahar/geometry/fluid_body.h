@@ -36,7 +36,7 @@ namespace Lahar
 
     virtual Box<dim> box() const = 0;
 
-    /// Volume (area in 2D).
+    /// Volume (area in the plane, with rotational symmetry of the whole body).
     virtual double volume() const = 0;
 
     /// Distance of @p point from the contour, negative inside, m; its absolute value is right near the contour, and never

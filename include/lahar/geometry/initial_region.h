@@ -25,7 +25,7 @@ namespace Lahar
     /// @p bodies must outlive this object.
     explicit InitialRegion(const std::vector<std::unique_ptr<FluidBody<dim>>> &bodies);
 
-    /// The sum of the bodies' volumes.
+    /// The sum of the bodies' volumes, see FluidBody::volume().
     double volume() const;
 
     /// The smallest of the bodies' signed distances.

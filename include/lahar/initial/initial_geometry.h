@@ -108,6 +108,9 @@ namespace Lahar
     /// The points of each body.
     using Fillings = std::vector<std::vector<Point<dim>>>;
 
+    /// Add the axis of rotational symmetry to the boundaries, see make_axis(). @throws InputError for fluid at x < 0
+    void add_axis(Parameters &prm);
+
     /// The fluid that comes in. @throws InputError if there is none of that name.
     unsigned int fluid_number(const Inflow &inflow) const;
 

@@ -25,6 +25,10 @@ namespace Lahar
 
     /// @throws InputError
     void parse_parameters(Parameters &prm, const CaseStructure &structure);
+
+  private:
+    /// @throws InputError for what rotational symmetry makes no sense of, or what is not there with it.
+    void check_symmetry(Parameters &prm, const CaseStructure &structure) const;
   };
 } // namespace Lahar
 
