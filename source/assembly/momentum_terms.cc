@@ -79,7 +79,7 @@ namespace Lahar
       if (linearization == ViscosityLinearization::picard || rate < std::numeric_limits<double>::min())
         return tangent;
 
-      const double tau_0              = cell.law->yield_stress();
+      const double tau_0              = cell.law->has_exact_yield_stress() ? 0. : cell.law->yield_stress();
       const FluidLaw::Value plastic   = cell.law->plastic_part(rate);
       const double viscous_derivative = cell.law->viscous_part(rate).derivative;
       tangent.A                       = cell.deviator;
@@ -110,7 +110,9 @@ namespace Lahar
   {
     using S                              = CellSystem<dim>;
     constexpr unsigned n                 = dim + 1;
-    const double viscosity               = cell.law->effective_viscosity(cell.strain_rate).value;
+    const double viscosity               = cell.law->has_exact_yield_stress()
+                                             ? cell.law->viscous_part(cell.strain_rate).value
+                                             : cell.law->effective_viscosity(cell.strain_rate).value;
     const SymmetricTensor<2, dim> stress = 2. * viscosity * cell.deviator;
     const ViscousTangent<dim> tangent    = viscous_tangent(cell, viscosity, linearization, plastic_weight);
     const auto &G                        = cell.gradients;

@@ -20,8 +20,12 @@ namespace Lahar
                                     const FluidCell<dim> &cell)
   {
     const Tensor<1, dim> residual = cell.volume * cell.momentum_residual(cell.law->density());
-    const double stress           = cell.law->effective_viscosity(cell.strain_rate).value * cell.strain_rate;
-    const double bound            = 2. * stress / cell.edge();
+    double stress                 = cell.law->effective_viscosity(cell.strain_rate).value * cell.strain_rate;
+    if (cell.law->has_exact_yield_stress()) // of which a plug that does not move has one, too
+      stress = cell.law->viscous_part(cell.strain_rate).value * cell.strain_rate +
+               cell.law->yield_stress() * cell.law->plastic_part(cell.plastic_strain_rate()).value *
+                 cell.plastic_strain_rate();
+    const double bound = 2. * stress / cell.edge();
     for (const unsigned int v : vertices)
     {
       residuals[v] += residual;

@@ -35,5 +35,5 @@ namespace Lahar
 
 
   static const Factory<FluidLaw>::Registration<Bingham>
-    bingham("Bingham", "Plastic viscosity and a yield stress, regularised by Papanastasiou.");
+    bingham("Bingham", "Plastic viscosity and a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

@@ -43,5 +43,5 @@ namespace Lahar
   static const Factory<FluidLaw>::Registration<Casson> casson(
     "Casson",
     "The root of the stress is a line over the root of the strain rate; a yield stress, regularised by "
-    "Papanastasiou.");
+    "Papanastasiou or exact.");
 } // namespace Lahar

@@ -40,5 +40,5 @@ namespace Lahar
 
   static const Factory<FluidLaw>::Registration<HerschelBulkley>
     herschel_bulkley("Herschel-Bulkley",
-                     "A power of the strain rate and a yield stress, regularised by Papanastasiou.");
+                     "A power of the strain rate and a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

@@ -67,7 +67,7 @@ namespace Lahar
 
 
 
-  static const Factory<FluidLaw>::Registration<TableLaw>
-    table_law("table",
-              "Stresses at given strain rates from a file; a yield stress, regularised by Papanastasiou.");
+  static const Factory<FluidLaw>::Registration<TableLaw> table_law(
+    "table",
+    "Stresses at given strain rates from a file; a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

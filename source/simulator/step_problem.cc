@@ -35,6 +35,12 @@ namespace Lahar
   {
     FluidAssembler<dim>::declare_parameters(prm);
     LinearSolver<dim>::declare_parameters(prm);
+    prm.enter_subsection("Nonlinear solver");
+    prm.declare_positive(
+      "Standing velocity", "1e-7",
+      "Speed in m/s, above zero, below which fluid with an exact yield stress stands: where all of a connected part "
+      "is slower the pressures that carry it are kept, and smaller velocities count as errors of this one.");
+    prm.leave_subsection();
   }
 
 
@@ -44,6 +50,9 @@ namespace Lahar
   {
     assembler.parse_parameters(prm);
     linear_solver = LinearSolver<dim>::create(prm);
+    prm.enter_subsection("Nonlinear solver");
+    standing_velocity = prm.get_positive("Standing velocity");
+    prm.leave_subsection();
   }
 
 
@@ -80,10 +89,12 @@ namespace Lahar
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
     const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
-                            negligible_sound * solid.speed_of_sound()) *
+                            negligible_sound * solid.speed_of_sound() +
+                            (fluid_law->has_exact_yield_stress() ? standing_velocity : 0.)) *
                              std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
     velocity_norm        = std::max(std::sqrt(v), v_floor);
+    mean_speed           = std::sqrt(v / std::max(1U, system.n_nodes()));
     const double p_floor = negligible_acceleration * fluid_law->density() * mean_spacing /
                            fluid.state.time_step * velocity_norm;
     pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});

@@ -34,7 +34,8 @@ namespace Lahar
   };
 
   /**
-   * Viscous and plastic stress: R_I += ∫ ∇N_I·τ, τ = 2 μ_eff d'.
+   * Viscous and plastic stress: R_I += ∫ ∇N_I·τ, τ = 2 μ_eff d'; where the yield stress is exact the viscous part alone,
+   * τ = 2 μ d' (the other one is ExactPlasticStress).
    *
    * The Jacobian's material part is 2 μ_t I' + c (A ⊗ B + B ⊗ A). Picard: c = 0. Newton: A = B = d', c = 2 μ_eff'/γ̇.
    * Primal–dual (De los Reyes & González Andrade 2010; Rudi, Shih & Stadler, arXiv 2003.11115): for the plastic part
