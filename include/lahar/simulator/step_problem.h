@@ -245,7 +245,8 @@ namespace Lahar
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
     double mean_spacing      = 0.;   ///< of the mesh's particles, m
     double standing_velocity = 1e-7; ///< m/s
-    double mean_speed        = 0.;   ///< root of the mean square over the nodes, m/s
+    double mean_speed =
+      0.; ///< of the fluid at the end of the step, root of the mean square over the nodes, m/s
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
   };
