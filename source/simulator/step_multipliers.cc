@@ -7,6 +7,15 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// Fluid stands also below this part of what gravity makes in a step: forces of this size come from the projection that
+    /// follows the pressure, and would go on for ever.
+    constexpr double negligible_acceleration = 1e-4;
+  } // namespace
+
+
+
   template <int dim>
   void StepProblem<dim>::start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers)
   {
@@ -29,11 +38,12 @@ namespace Lahar
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       speed[system.local_number(v)] = std::max(state.old_velocity[v].norm(), state.mean_velocity[v].norm());
     spread_largest(parts, system.partition(), speed);
+    const double slowest = standing_velocity + negligible_acceleration * gravity.norm() * state.time_step;
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      state.stands[c] = speed[system.cells_by_local_number()[c][0]] < standing_velocity;
+      state.stands[c] = speed[system.cells_by_local_number()[c][0]] < slowest;
     // What stands is expected to stand: velocities that are errors are not carried on.
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      if (speed[system.local_number(v)] < standing_velocity)
+      if (speed[system.local_number(v)] < slowest)
         state.mean_velocity[v] = state.velocity[v] = Tensor<1, dim>();
   }
 
@@ -68,7 +78,12 @@ namespace Lahar
         *std::min_element(cell.begin(), cell.end(), [&](const unsigned int a, const unsigned int b) {
           return number[a] < number[b];
         }) < system.partition().n_own());
-    const auto own       = assembler.yield_gap(*mesh, *fluid_law, fluid.state, counted);
+    auto own                          = assembler.yield_gap(*mesh, *fluid_law, fluid.state, counted);
+    const std::vector<double> volumes = fluid.new_volumes();
+    const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (counted[c] && !fluid.state.left_out[c])
+        own.energy += fluid_law->density() * volumes[c] * rate * standing_velocity * standing_velocity;
     const double sums[2] = {own.gap, own.energy};
     double all[2];
     Utilities::MPI::sum(ArrayView<const double>(sums, 2), communicator(), ArrayView<double>(all, 2));

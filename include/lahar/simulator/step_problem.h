@@ -104,7 +104,8 @@ namespace Lahar
     /// not work on they stay.
     void get_multipliers(std::vector<SymmetricTensor<2, dim>> &multipliers) const;
 
-    /// How much the present velocities still differ from those of an exact yield stress, of all cells. Collective.
+    /// How much the present velocities still differ from those of an exact yield stress, of all cells; the energy is at
+    /// least that of `Standing velocity`. Collective.
     typename FluidAssembler<dim>::YieldGap yield_gap() const;
 
     /// Whether the fluid is so slow that it counts as standing, see `Standing velocity`.
