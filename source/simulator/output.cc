@@ -52,7 +52,7 @@ namespace Lahar
     line.add_value("Held vertices", report.n_held);
     if (input.geometry.has_fluid() && input.geometry.law().yield_stress() > 0.)
     {
-      add_to_column(line, dim == 2 ? "Yield gap (W/m)" : "Yield gap (W)", report.yield_gap);
+      add_to_column(line, "Yield gap (W)", report.yield_gap);
       add_to_column(line, "Relative yield gap", report.relative_yield_gap);
     }
     line.add_value("Fluid cells", counters.cells);

@@ -120,7 +120,7 @@ CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "space": SPACE + 
 
 # What measures convergence, not the flow.
 CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",
-               "Linear iterations", "Nonlinear iterations", "Yield gap (W/m)", "Yield gap (W)", "Relative yield gap",
+               "Linear iterations", "Nonlinear iterations", "Yield gap (W)", "Relative yield gap",
                "Wall time (s)")
 
 def run(directory, n_ranks, *arguments, program=None):
