@@ -9,8 +9,8 @@ import numpy as np
 from run_record import STEP_SIZE, TIME
 
 PRESSURE_NOTE = "positive where it pushes"
-IN_THE_PLANE = {"N": "N/m", "J": "J/m", "N s": "N s/m"}  # forces and energies are those of a slice 1 m thick
-NUMERICAL = ("increment", "residual", "iterations", "Held vertices", "Remeshed", "Rejected", "Mended", "kept out",
+IN_THE_PLANE = {"N": "N/m", "J": "J/m", "W": "W/m", "N s": "N s/m"}  # forces and energies are those of a slice 1 m thick
+NUMERICAL = ("increment", "residual", "iterations", "Held vertices", "Remeshed", "Rejected", "Mended", "kept out", "gap",
              "Time step size")
 COUNTS = ("cells", "particles")
 SHARES = ("Volume change by solver", "Volume change by remeshing", "Volume left the domain")  # of the initial volume

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/exact_plastic_stress.h>
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/assembly/residual_projection.h>
 #include <lahar/geometry/simplex_geometry.h>
@@ -89,6 +90,13 @@ namespace Lahar
     state.stabilization_viscosity.resize(mesh.n_cells());
     state.left_out.assign(mesh.n_cells(), false);
     state.sliver.resize(mesh.n_cells(), false);
+    const bool is_exact = law.has_exact_yield_stress();
+    if (is_exact)
+    {
+      state.multiplier.resize(mesh.n_cells());
+      state.stands.resize(mesh.n_cells(), false);
+      state.standing_projection.resize(mesh.n_cells());
+    }
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
@@ -103,8 +111,9 @@ namespace Lahar
       const double slowest = (law.density() * gravity).norm() /
                              (largest_leak * std::max(speed, smallest_speed));
       state.stabilization_viscosity[c] = mu;
-      state.stabilization[c]           = 1. / std::max(8. * mu / (edge * edge) + inertia,
-                                                       std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
+      state.stabilization[c] =
+        1. / std::max(8. * mu / (edge * edge) + inertia,
+                      is_exact ? 0. : std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
     }
 
     state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
@@ -113,11 +122,16 @@ namespace Lahar
       ResidualProjection<dim> projection(mesh.n_vertices());
       cell.law     = &law;
       cell.gravity = gravity;
-      for (const Simplex<dim> &vertices : mesh.cells())
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
+        const Simplex<dim> &vertices = mesh.cells()[c];
         gather(vertices, state, cell);
+        if (is_exact)
+          cell.multiplier = state.multiplier[c];
         cell.reinit(corners_of<dim>(vertices, state.old_position), false);
         projection.add(vertices, cell);
+        if (is_exact && state.stands[c])
+          state.standing_projection[c] = cell.momentum_residual(0.);
       }
       state.residual_projection = projection.compute();
     }
@@ -130,12 +144,15 @@ namespace Lahar
                                                FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
+    cell.law = &law;
     state.plastic_dual.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       gather(mesh.cells()[c], state, cell);
+      if (law.has_exact_yield_stress())
+        cell.multiplier = state.multiplier[c];
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), false);
-      state.plastic_dual[c] = 2. * law.plastic_part(cell.strain_rate).value * cell.deviator;
+      state.plastic_dual[c] = 2. * law.plastic_part(cell.plastic_strain_rate()).value * cell.plastic_rate();
     }
   }
 
@@ -149,6 +166,7 @@ namespace Lahar
                                                  std::vector<SymmetricTensor<2, dim>> &slope) const
   {
     FluidCell<dim> cell;
+    cell.law = &law;
     base.resize(mesh.n_cells());
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -157,6 +175,8 @@ namespace Lahar
         continue;
       const Simplex<dim> &vertices = mesh.cells()[c];
       gather(vertices, state, cell);
+      if (law.has_exact_yield_stress())
+        cell.multiplier = state.multiplier[c];
       cell.reinit(state.shape_of(c, vertices), false);
 
       Tensor<2, dim> delta_L;
@@ -169,12 +189,14 @@ namespace Lahar
                                                                       unit_symmetric_tensor<dim>();
 
       // 1/ψ = f and ψ'/ψ = −f'/f.
-      const FluidLaw::Value f               = law.plastic_part(cell.strain_rate);
+      const SymmetricTensor<2, dim> rate    = cell.plastic_rate();
+      const double strain_rate              = cell.plastic_strain_rate();
+      const FluidLaw::Value f               = law.plastic_part(strain_rate);
       const SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
       const double norm                     = std::sqrt(0.5 * cell.product(Lambda, Lambda));
-      const double delta_rate               = 2. * cell.product(cell.deviator, delta_d) /
-                                std::max(cell.strain_rate, std::numeric_limits<double>::min());
-      base[c]  = 2. * f.value * cell.deviator;
+      const double delta_rate               = 2. * cell.product(rate, delta_d) /
+                                std::max(strain_rate, std::numeric_limits<double>::min());
+      base[c]  = 2. * f.value * rate;
       slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;
     }
   }
@@ -206,6 +228,7 @@ namespace Lahar
     const Inertia<dim> inertia;
     const BodyForce<dim> body_force;
     const ViscousStress<dim> viscous_stress(linearization.viscosity, linearization.plastic_weight);
+    const ExactPlasticStress<dim> exact_plastic_stress(linearization.viscosity, linearization.plastic_weight);
     const PressureDivergence<dim> pressure_divergence;
     const FlatPressureDivergence<dim> flat_pressure_divergence;
 
@@ -237,9 +260,7 @@ namespace Lahar
                              signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
       if (!(cell.volume > 0.))
         return false;
-      cell.residual_projection = Tensor<1, dim>();
-      for (const unsigned int v : mesh.cells()[c])
-        cell.residual_projection += state.residual_projection[v] / (dim + 1.);
+      cell.residual_projection = state.projection_of(c, mesh.cells()[c]);
       if (linearization.viscosity == ViscosityLinearization::primal_dual)
         cell.plastic_dual = state.plastic_dual[c];
 
@@ -247,6 +268,11 @@ namespace Lahar
       inertia.assemble(cell, cell_system);
       body_force.assemble(cell, cell_system);
       viscous_stress.assemble(cell, cell_system);
+      if (law.has_exact_yield_stress())
+      {
+        cell.multiplier = state.multiplier[c];
+        exact_plastic_stress.assemble(cell, cell_system);
+      }
       if (state.sliver[c])
         flat_pressure_divergence.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
                                           cell_system);

@@ -12,7 +12,7 @@ namespace Lahar
       "Plastic viscosity", "0.001",
       "Plastic viscosity μ in Pa s, zero or above: the slope of stress over strain rate after yielding.");
     declare_yield_stress(prm);
-    declare_regularization(prm, "μ + m τ0");
+    declare_yield(prm, "μ + m τ0");
   }
 
 
@@ -22,7 +22,7 @@ namespace Lahar
     FluidLaw::parse_parameters(prm);
     mu = prm.get_positive("Plastic viscosity", true);
     parse_yield_stress(prm);
-    parse_regularization(prm);
+    parse_yield(prm);
   }
 
 
@@ -35,5 +35,5 @@ namespace Lahar
 
 
   static const Factory<FluidLaw>::Registration<Bingham>
-    bingham("Bingham", "Plastic viscosity and a yield stress, regularised by Papanastasiou.");
+    bingham("Bingham", "Plastic viscosity and a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

@@ -15,7 +15,7 @@ namespace Lahar
       "Viscosity μ_c in Pa s, zero or above, to which that of the fluid falls at high strain rates.");
     RegularizedPower::declare_smallest_rate(prm);
     declare_yield_stress(prm);
-    declare_regularization(prm, "μ_c + 2 √(τ0 μ_c/ε) + m τ0");
+    declare_yield(prm, "μ_c + 2 √(τ0 μ_c/ε) + m τ0");
   }
 
 
@@ -25,7 +25,7 @@ namespace Lahar
     FluidLaw::parse_parameters(prm);
     mu = prm.get_positive("Casson viscosity", true);
     parse_yield_stress(prm);
-    parse_regularization(prm);
+    parse_yield(prm);
     mixed_part = RegularizedPower(2. * std::sqrt(tau_0 * mu), -0.5,
                                   RegularizedPower::parse_smallest_rate(prm));
   }
@@ -43,5 +43,5 @@ namespace Lahar
   static const Factory<FluidLaw>::Registration<Casson> casson(
     "Casson",
     "The root of the stress is a line over the root of the strain rate; a yield stress, regularised by "
-    "Papanastasiou.");
+    "Papanastasiou or exact.");
 } // namespace Lahar

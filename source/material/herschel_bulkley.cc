@@ -14,7 +14,7 @@ namespace Lahar
       "Flow index n, above zero: below 1 the fluid thins with shear, above 1 it thickens.");
     RegularizedPower::declare_smallest_rate(prm);
     declare_yield_stress(prm);
-    declare_regularization(prm, "K ε^(n−1) + m τ0");
+    declare_yield(prm, "K ε^(n−1) + m τ0");
   }
 
 
@@ -26,7 +26,7 @@ namespace Lahar
     const double index       = prm.get_positive("Flow index");
     viscosity = RegularizedPower(consistency, index - 1., RegularizedPower::parse_smallest_rate(prm));
     parse_yield_stress(prm);
-    parse_regularization(prm);
+    parse_yield(prm);
   }
 
 
@@ -40,5 +40,5 @@ namespace Lahar
 
   static const Factory<FluidLaw>::Registration<HerschelBulkley>
     herschel_bulkley("Herschel-Bulkley",
-                     "A power of the strain rate and a yield stress, regularised by Papanastasiou.");
+                     "A power of the strain rate and a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

@@ -17,7 +17,7 @@ namespace Lahar
       "growing from line to line; '#' begins a comment. The stress at the strain rate 0 is the yield stress; "
       "a file without that line describes a fluid without one. The file's name is relative to the parameter "
       "file that gives it (on the command line: to the working directory).");
-    declare_regularization(prm, "μ + m τ0, μ that of the first strain rate above zero");
+    declare_yield(prm, "μ + m τ0, μ that of the first strain rate above zero");
   }
 
 
@@ -25,7 +25,7 @@ namespace Lahar
   void TableLaw::parse_parameters(Parameters &prm)
   {
     FluidLaw::parse_parameters(prm);
-    parse_regularization(prm);
+    parse_yield(prm);
     if (prm.get("File").empty())
       prm.throw_wrong_value("File", "the name of a text file of strain rates and stresses");
 
@@ -67,7 +67,7 @@ namespace Lahar
 
 
 
-  static const Factory<FluidLaw>::Registration<TableLaw>
-    table_law("table",
-              "Stresses at given strain rates from a file; a yield stress, regularised by Papanastasiou.");
+  static const Factory<FluidLaw>::Registration<TableLaw> table_law(
+    "table",
+    "Stresses at given strain rates from a file; a yield stress, regularised by Papanastasiou or exact.");
 } // namespace Lahar

@@ -25,6 +25,21 @@ namespace Lahar
 
 
 
+  void YieldStressLaw::declare_yield(Parameters &prm, const std::string &unyielded)
+  {
+    declare_regularization(prm, unyielded);
+    prm.declare_choice(
+      "Yield", "Papanastasiou", "Papanastasiou|exact",
+      "How the fluid yields: 'Papanastasiou' regularises the law by 'Regularization parameter', 'exact' does not: fluid "
+      "below the yield stress is rigid, and stops.");
+    prm.declare_positive(
+      "Augmentation parameter", "1000",
+      "Parameter r in s, above zero, of the method of multipliers, where 'Yield' is 'exact'. The iteration depends on "
+      "it, the result does not; a good value makes r τ0 10 to 100 times μ + ρ L²/Δt, L the depth of the fluid.");
+  }
+
+
+
   void YieldStressLaw::parse_yield_stress(const Parameters &prm)
   {
     tau_0 = prm.get_positive("Yield stress", true);
@@ -39,8 +54,24 @@ namespace Lahar
 
 
 
+  void YieldStressLaw::parse_yield(const Parameters &prm)
+  {
+    parse_regularization(prm);
+    const double of_law = prm.get_positive("Augmentation parameter");
+    if (prm.get("Yield") == "exact")
+      r = of_law;
+    else if (prm.get("Yield") != "Papanastasiou")
+      prm.throw_wrong_value("Yield", "Papanastasiou|exact");
+  }
+
+
+
   FluidLaw::Value YieldStressLaw::plastic_part(const double strain_rate) const
   {
+    if (r > 0.)
+      return r * strain_rate <= 1. ? Value{r, 0.}
+                                   : Value{1. / strain_rate, -1. / (strain_rate * strain_rate)};
+
     // Below z = m γ̇ = 1e-4 the series is exact to rounding in f and better than 1e-8 in f', where the closed form of
     // f' cancels.
     const double z = m * strain_rate;

@@ -170,7 +170,8 @@ namespace Lahar
       FluidMesh<dim> part;
       part.reinit_part(snapshot.mesh, vertices, cells);
       list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.solids,
-                          snapshot.walls, snapshot.migration, snapshot.means, snapshot.time},
+                          snapshot.walls, snapshot.migration, snapshot.means, snapshot.time,
+                          snapshot.multipliers},
                          fields, own_piece, pieces);
     });
     if (n_ranks == 1)

@@ -5,7 +5,15 @@
 
 namespace Lahar
 {
-  /// Whether the fluid has yielded, see FluidLaw::is_yielded().
+  namespace
+  {
+    /// Of |Λ|, which is one where a yield stress that is exact is reached.
+    constexpr double rounding = 1e-12;
+  } // namespace
+
+
+
+  /// Whether the fluid has yielded, see FluidLaw::is_yielded(); where the yield stress is exact, whether |Λ| = 1.
   template <int dim>
   class YieldedField : public OutputField<dim>
   {
@@ -25,8 +33,15 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(snapshot.mesh.n_cells());
+      const auto &cells   = snapshot.mesh.particle_cells();
+      const bool is_exact = snapshot.law.has_exact_yield_stress() && snapshot.multipliers != nullptr;
       for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c] = snapshot.law.is_yielded(cell.strain_rate, cell.confining_pressure());
+        values[c]         = snapshot.law.is_yielded(cell.strain_rate, cell.confining_pressure());
+        const auto *value = is_exact
+                              ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
+                              : nullptr;
+        if (value != nullptr)
+          values[c] = deviator_norm<dim>(*value) > 1. - rounding;
       });
       return values;
     }

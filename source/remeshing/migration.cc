@@ -15,16 +15,18 @@ namespace Lahar
     /// A rank may have this times the mean work before space is divided anew.
     constexpr double largest_share = 1.05;
 
-    /// What one rank tells another: particles, and cells by the numbers of their corners with their marks.
+    /// What one rank tells another: particles, cells by the numbers of their corners, and values of cells.
     struct Parcel
     {
       std::vector<double> particles;
       std::vector<std::uint64_t> cells;
+      std::vector<std::uint64_t> keys; ///< see CellTable
+      std::vector<double> values;
 
       template <typename Archive>
       void serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &particles &cells;
+        archive &particles &cells &keys &values;
       }
     };
   } // namespace
@@ -146,7 +148,7 @@ namespace Lahar
 
   template <int dim>
   void Migration<dim>::migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                               const unsigned int n_shared)
+                               const unsigned int n_shared, CellTable<dim> *values)
   {
     if (is_alone())
     {
@@ -175,11 +177,16 @@ namespace Lahar
         if (cloud.is_own(cell) && std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) {
               return is_near(r, cloud.position[i]);
             }))
+        {
           for (const unsigned int i : cell)
           {
             goes[i] = true;
             parcel.cells.push_back(cloud.number[i]);
           }
+          if (values != nullptr)
+            if (const auto key = CellTable<dim>::key(cell, cloud); const auto *value = values->find(key))
+              CellTable<dim>::append(key, *value, parcel.keys, parcel.values);
+        }
       for (unsigned int i = 0; i < cloud.size(); ++i)
         if (goes[i])
         {
@@ -222,6 +229,12 @@ namespace Lahar
       }
     mesh.reinit(cloud, cells);
     reinit(cloud);
+    if (values == nullptr)
+      return;
+    values->clear();
+    for (const auto &[sender, parcel] : received)
+      values->add_all(parcel.keys, parcel.values);
+    values->sort();
   }
 
 

@@ -50,16 +50,21 @@ namespace Lahar
   template <int dim>
   std::string Simulator<dim>::save_piece() const
   {
-    // The own cells, their corners, and the own particles.
+    // The own cells, their corners, the own particles, and values of the own cells.
     std::vector<bool> is_saved(particles.size(), false);
-    std::vector<std::uint64_t> cells;
-    for (const Simplex<dim> &cell : fluid_mesh.particle_cells())
-      if (particles.is_own(cell))
+    std::vector<std::uint64_t> cells, keys;
+    std::vector<double> values;
+    for (unsigned int c = 0; c < fluid_mesh.n_cells(); ++c)
+      if (const Simplex<dim> &cell = fluid_mesh.particle_cells()[c]; particles.is_own(cell))
+      {
         for (const unsigned int i : cell)
         {
           is_saved[i] = true;
           cells.push_back(particles.number[i]);
         }
+        if (!multipliers.values().empty())
+          CellTable<dim>::append(CellTable<dim>::key(cell, particles), multipliers.values()[c], keys, values);
+      }
     std::vector<double> records;
     for (unsigned int i = 0; i < particles.size(); ++i)
       if (is_saved[i] || particles.is_own(i))
@@ -69,7 +74,7 @@ namespace Lahar
       }
     std::ostringstream data;
     boost::archive::binary_oarchive archive(data, boost::archive::no_header);
-    archive << records << cells << migration;
+    archive << records << cells << keys << values << migration;
     return data.str();
   }
 
@@ -86,9 +91,10 @@ namespace Lahar
     {
       std::istringstream data(piece);
       boost::archive::binary_iarchive archive(data, boost::archive::no_header);
-      std::vector<double> values;
-      std::vector<std::uint64_t> piece_numbers;
-      archive >> values >> piece_numbers;
+      std::vector<double> values, cell_values;
+      std::vector<std::uint64_t> piece_numbers, cell_keys;
+      archive >> values >> piece_numbers >> cell_keys >> cell_values;
+      multipliers.table().add_all(cell_keys, cell_values);
       if (content.same_ranks)
         archive >> migration;
       for (auto value = values.begin(); value != values.end(); value += Record().size())
@@ -113,7 +119,10 @@ namespace Lahar
     for (unsigned int k = 0; k < numbers.size(); ++k)
       cells[k / (dim + 1)][k % (dim + 1)] = particles.find(numbers[k]);
     fluid_mesh.reinit(particles, cells);
+    multipliers.table().sort();
     migrate();
+    if (has_multipliers())
+      multipliers.follow(fluid_mesh, particles);
   }
 
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <lahar/simulator/closed_parts.h>
+#include <lahar/simulator/spread_largest.h>
 #include <lahar/utilities/exceptions.h>
 
 #include <algorithm>
@@ -23,31 +23,6 @@ namespace Lahar
 
     /// A closed part that changes by more than this part of its volume cannot do so.
     constexpr double largest_change = 1e-6;
-
-    /// Give all nodes of a part the largest of their values, also over ranks.
-    void spread(boost::disjoint_sets_with_storage<> &parts, const NodePartition &partition,
-                std::vector<double> &values)
-    {
-      for (bool any_news = true; any_news;)
-      {
-        std::vector<double> largest(values.size(), -1.);
-        for (unsigned int i = 0; i < values.size(); ++i)
-        {
-          double &of_part = largest[parts.find_set(i)];
-          of_part         = std::max(of_part, values[i]);
-        }
-        bool own_news = false;
-        for (unsigned int i = 0; i < values.size(); ++i)
-          if (const double of_part = largest[parts.find_set(i)]; of_part > values[i])
-          {
-            values[i] = of_part;
-            own_news  = own_news || i < partition.n_own();
-          }
-        any_news = Utilities::MPI::max(own_news ? 1U : 0U, partition.communicator()) == 1U;
-        if (any_news)
-          partition.update(values);
-      }
-    }
   } // namespace
 
 
@@ -87,7 +62,7 @@ namespace Lahar
                                  : 0.;
     }
     partition.update(gives_way);
-    spread(parts, partition, gives_way);
+    spread_largest(parts, partition, gives_way);
 
     label.assign(n_nodes, -1.);
     bool any = false;
@@ -101,7 +76,7 @@ namespace Lahar
     if (!is_any)
       return;
     partition.update(label);
-    spread(parts, partition, label);
+    spread_largest(parts, partition, label);
     for (unsigned int i = 0; i < n_nodes; ++i)
       if (label[i] == partition.global_numbers()[i])
         constraints[i].fixed_pressure = true;

@@ -3,6 +3,7 @@
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/utilities/factory.h>
 
+#include <limits>
 #include <sstream>
 
 namespace Lahar
@@ -21,6 +22,10 @@ namespace Lahar
     constexpr double overshoot           = 0.1;
     constexpr double shortest_step       = 0.2;
     constexpr unsigned int n_trial_steps = 3;
+
+    /// Where multipliers that are updated in every iteration go to and fro, they wait after this number of iterations until
+    /// the increments are within the tolerance.
+    constexpr unsigned int n_eager_iterations = 15;
 
     /// Increments are solved for to this part of the tolerance of the nonlinear iteration.
     constexpr double negligible_part = 0.1;
@@ -42,6 +47,13 @@ namespace Lahar
     prm.declare_positive(
       "Tolerance", "1e-4",
       "Largest relative increment of velocity and pressure in the last iteration, above 0 and below 1.");
+    prm.declare_positive(
+      "Multiplier increment", "0.1",
+      "Relative increment of velocity, above 0, from which on the multipliers of an exact yield stress are updated.");
+    prm.declare_positive(
+      "Gap tolerance", "1e-3",
+      "Largest yield gap G/E of an exact yield stress in the last iteration, above 0, unless the fluid stands or "
+      "iterations run out.");
     prm.declare_count("Maximum iterations", "30", "A step that needs more iterations has failed, 1 to 1000.",
                       1, 1000);
     prm.leave_subsection();
@@ -68,7 +80,9 @@ namespace Lahar
     scheme->tolerance = prm.get_positive("Tolerance");
     if (scheme->tolerance >= 1.)
       prm.throw_wrong_value("Tolerance", "a number above 0 and below 1");
-    scheme->maximum_iterations = prm.get_count("Maximum iterations", 1, 1000);
+    scheme->multiplier_increment = prm.get_positive("Multiplier increment");
+    scheme->gap_tolerance        = prm.get_positive("Gap tolerance");
+    scheme->maximum_iterations   = prm.get_count("Maximum iterations", 1, 1000);
     prm.leave_subsection();
     return scheme;
   }
@@ -106,8 +120,8 @@ namespace Lahar
         ++report.iterations;
         iterate(problem, report);
         report.increments.emplace_back(report.velocity_increment, report.pressure_increment);
-      } while (!is_converged(report) && report.iterations < maximum_iterations);
-      if (!is_converged(report))
+      } while (!is_converged(problem, report) && report.iterations < maximum_iterations);
+      if (!is_converged(problem, report))
       {
         std::ostringstream reason;
         reason << "no convergence, the relative increments are " << report.velocity_increment
@@ -118,12 +132,26 @@ namespace Lahar
         throw RunError(reason.str());
       }
       report.n_held = problem.n_held();
+      if (problem.law().has_exact_yield_stress())
+        problem.update_multipliers();
+      else if (problem.law().has_yield_stress())
+        find_yield_gap(problem, report);
     }
     catch (const RunError &error)
     {
       throw RunError("iteration " + std::to_string(report.iterations) + ": " + error.what());
     }
     return report;
+  }
+
+
+
+  template <int dim>
+  void NonlinearScheme<dim>::find_yield_gap(const StepProblem<dim> &problem, NonlinearReport &report)
+  {
+    const auto [gap, energy]  = problem.yield_gap();
+    report.yield_gap          = gap;
+    report.relative_yield_gap = gap / std::max(energy, std::numeric_limits<double>::min());
   }
 
 
@@ -136,8 +164,9 @@ namespace Lahar
 
     if (report.iterations == 1)
     {
-      motion           = true;
-      motion_increment = largest_motion_increment;
+      motion             = true;
+      multipliers_follow = false;
+      motion_increment   = largest_motion_increment;
       problem.assemble(linearization);
     }
     linearization.motion     = motion;
@@ -160,7 +189,10 @@ namespace Lahar
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
     report.is_settled         = problem.is_settled();
-    if (is_converged(report))
+    const bool is_exact       = problem.law().has_exact_yield_stress();
+    if (is_exact)
+      find_yield_gap(problem, report);
+    if (is_converged(problem, report))
       return;
     problem.end_iteration();
 
@@ -177,6 +209,17 @@ namespace Lahar
       problem.take_step(length);
       problem.assemble(linearization);
       end = problem.work_along_increment();
+    }
+
+    // Never inside the line search: the multipliers belong to the function that it makes smaller.
+    multipliers_follow = multipliers_follow || report.velocity_increment < multiplier_increment;
+    const bool are_due = report.iterations > n_eager_iterations ? are_increments_small(report)
+                                                                : multipliers_follow;
+    if (is_exact && are_due && length == 1. && !problem.was_damped())
+    {
+      linearization.plastic_weight = 1.;
+      problem.update_multipliers();
+      problem.assemble(linearization);
     }
   }
 

@@ -31,7 +31,7 @@ namespace Lahar
   Snapshot<dim> Simulator<dim>::snapshot()
   {
     return {particles, fluid_mesh, input.geometry.law(), input.gravity, solids,
-            walls,     migration,  output.means(),       time};
+            walls,     migration,  output.means(),       time,          &multipliers.table()};
   }
 
 
@@ -50,6 +50,11 @@ namespace Lahar
     add_to_column(line, "Mass residual (m^dim/s)", report.mass_residual);
     line.add_value("Linear iterations", report.linear_iterations);
     line.add_value("Held vertices", report.n_held);
+    if (input.geometry.has_fluid() && input.geometry.law().has_yield_stress())
+    {
+      add_to_column(line, "Yield gap (W)", report.yield_gap);
+      add_to_column(line, "Relative yield gap", report.relative_yield_gap);
+    }
     line.add_value("Fluid cells", counters.cells);
     line.add_value("Solid cells", solids.mesh().n_cells());
     line.add_value("Fluid particles", count_on_ranks(particles.n_particles(ParticleKind::fluid)));

@@ -49,6 +49,13 @@ namespace Lahar
     step_control = std::make_unique<StepControl>(input.run.time_step, input.run.minimum_time_step,
                                                  input.run.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
+    if (input.geometry.law().has_exact_yield_stress() && !problem.projects_residual())
+    {
+      prm.enter_subsection("Stabilization");
+      prm.throw_wrong_value("Form",
+                            "'projected residual' for a fluid whose 'Yield' is 'exact': with another form it "
+                            "would creep by the stabilisation however large its yield stress is");
+    }
     output.parse_parameters();
   }
 
@@ -84,7 +91,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::migrate()
   {
-    migration.migrate(particles, fluid_mesh, region_distance(), solids.mesh().n_contour_nodes());
+    migration.migrate(particles, fluid_mesh, region_distance(), solids.mesh().n_contour_nodes(),
+                      has_multipliers() ? &multipliers.table() : nullptr);
   }
 
 
@@ -141,7 +149,8 @@ namespace Lahar
         problem.start_step(
           {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
            time + time_step, constraints(*wall_step), remeshing.arrives,
-           SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws())});
+           SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws()),
+           multipliers.values()});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -194,6 +203,8 @@ namespace Lahar
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     input.mesh_size.update(particles);
     const std::map<std::uint64_t, double> layers = inlets.layers(particles, fluid_mesh);
+    if (has_multipliers())
+      multipliers.spread(fluid_mesh, particles, migration);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
@@ -203,6 +214,8 @@ namespace Lahar
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
+    if (has_multipliers())
+      multipliers.follow(fluid_mesh, particles);
     if (remesher.keeps_volume())
       inlets.owe_layers(layers, fluid_mesh, migration, particles);
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
@@ -263,6 +276,12 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Update");
     const std::vector<Point<dim>> old_position = particles.position;
+    if (has_multipliers())
+    {
+      std::vector<SymmetricTensor<2, dim>> values = multipliers.values();
+      problem.get_multipliers(values);
+      multipliers.set(fluid_mesh, particles, std::move(values));
+    }
     problem.accept(particles, solids);
     wall_step.carry_particles(old_position, particles);
     inlets.carry(old_position, particles);

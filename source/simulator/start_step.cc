@@ -42,6 +42,8 @@ namespace Lahar
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
     pressure_change.assign(mesh->n_vertices(), 0.);
 
+    if (start.law.has_exact_yield_stress())
+      start_multipliers(start.multipliers);
     assembler.set_stabilization(*mesh, start.law, gravity, fluid.state);
     // There is no pressure yet: the residual is the weight, not the divergence of a stress.
     if (time_integration.is_first_step())

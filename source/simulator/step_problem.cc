@@ -35,6 +35,12 @@ namespace Lahar
   {
     FluidAssembler<dim>::declare_parameters(prm);
     LinearSolver<dim>::declare_parameters(prm);
+    prm.enter_subsection("Nonlinear solver");
+    prm.declare_positive(
+      "Standing velocity", "1e-7",
+      "Speed in m/s, above zero, below which fluid with an exact yield stress stands: where all of a connected part "
+      "is slower the pressures that carry it are kept, and smaller velocities count as errors of this one.");
+    prm.leave_subsection();
   }
 
 
@@ -44,6 +50,9 @@ namespace Lahar
   {
     assembler.parse_parameters(prm);
     linear_solver = LinearSolver<dim>::create(prm);
+    prm.enter_subsection("Nonlinear solver");
+    standing_velocity = prm.get_positive("Standing velocity");
+    prm.leave_subsection();
   }
 
 
@@ -63,7 +72,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_norms()
   {
-    double sums[4]                               = {}; // of v², δv², p², δp²
+    double sums[5]                               = {}; // of w², δw², p², δp², and v² of the fluid
     const std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (unsigned int l = 0; l < system.partition().n_own(); ++l)
     {
@@ -74,16 +83,19 @@ namespace Lahar
     {
       sums[2] += fluid.state.pressure[i] * fluid.state.pressure[i];
       sums[3] += pressure_change[i] * pressure_change[i];
+      sums[4] += fluid.state.velocity[i].norm_square();
     }
-    Utilities::MPI::sum(ArrayView<const double>(sums, 4), communicator(), ArrayView<double>(sums, 4));
-    const auto [v, dv, p, dp] = sums;
+    Utilities::MPI::sum(ArrayView<const double>(sums, 5), communicator(), ArrayView<double>(sums, 5));
+    const auto [v, dv, p, dp, v_end] = sums;
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
     const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
-                            negligible_sound * solid.speed_of_sound()) *
+                            negligible_sound * solid.speed_of_sound() +
+                            (fluid_law->has_exact_yield_stress() ? standing_velocity : 0.)) *
                              std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
     velocity_norm        = std::max(std::sqrt(v), v_floor);
+    mean_speed           = std::sqrt(v_end / std::max(1U, system.n_nodes()));
     const double p_floor = negligible_acceleration * fluid_law->density() * mean_spacing /
                            fluid.state.time_step * velocity_norm;
     pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});

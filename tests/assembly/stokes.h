@@ -80,11 +80,12 @@ namespace Tests
       }
     }
 
-    void assemble(const ViscosityLinearization viscosity)
+    void assemble(const ViscosityLinearization viscosity, const double plastic_weight = 1.)
     {
       typename FluidAssembler<dim>::Linearization linearization;
-      linearization.viscosity = viscosity;
-      linearization.motion    = false;
+      linearization.viscosity      = viscosity;
+      linearization.plastic_weight = plastic_weight;
+      linearization.motion         = false;
       // The nodes pass their places in the middle of the step: the volumes change by its length times the divergence
       // there, up to its third power, and nothing else sees so small a motion.
       state.time_step = 1e-6;

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <lahar/assembly/terms.h>
+#include <lahar/assembly/exact_plastic_stress.h>
 #include <lahar/geometry/simplex_geometry.h>
 
 #include "tests.h"
@@ -54,6 +54,14 @@ struct Example
     for (unsigned int a = 0; a < dim; ++a)
       for (unsigned int b = a; b < dim; ++b)
         cell.plastic_dual[a][b] = random.number();
+    if (law.has_exact_yield_stress())
+    {
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = a; b < dim; ++b)
+          cell.multiplier[a][b] = random.number();
+      if (dim == 3) // in the plane the out-of-plane component makes a deviator of it
+        cell.multiplier = deviator(cell.multiplier);
+    }
     set(unknowns);
   }
 
@@ -138,20 +146,20 @@ auto assembler(const Term &term)
   return [term](const auto &cell, auto &system) { term.assemble(cell, system); };
 }
 
-/// Primal-dual with Λ = 2 f d' must be Newton, at most with less weight on the plastic rank-one part.
-template <int dim>
-void check_primal_dual(const FluidLaw &law, const double mean_pressure = 0.)
+/// Primal-dual with Λ = 2 f e' must be Newton, at most with less weight on the plastic rank-one part.
+template <int dim, typename Term>
+void check_primal_dual(const std::string &what, const FluidLaw &law, const double mean_pressure = 0.)
 {
   Random random;
   double error = 0., lowest = 1e10, highest = 0.;
   for (unsigned int sample = 0; sample < 20; ++sample)
   {
     Example<dim> example(random, law, false, mean_pressure);
-    example.cell.plastic_dual = 2. * law.plastic_part(example.cell.strain_rate).value * example.cell.deviator;
-    const auto picard = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::picard))).matrix;
-    const auto newton = example.system(assembler(ViscousStress<dim>(ViscosityLinearization::newton))).matrix;
-    const auto dual =
-      example.system(assembler(ViscousStress<dim>(ViscosityLinearization::primal_dual))).matrix;
+    example.cell.plastic_dual = 2. * law.plastic_part(example.cell.plastic_strain_rate()).value *
+                                example.cell.plastic_rate();
+    const auto picard = example.system(assembler(Term(ViscosityLinearization::picard))).matrix;
+    const auto newton = example.system(assembler(Term(ViscosityLinearization::newton))).matrix;
+    const auto dual   = example.system(assembler(Term(ViscosityLinearization::primal_dual))).matrix;
     double product = 0., square = 0., size = 0.;
     for (unsigned int i = 0; i < newton.size(); ++i)
       for (unsigned int j = 0; j < newton.size(); ++j)
@@ -160,6 +168,8 @@ void check_primal_dual(const FluidLaw &law, const double mean_pressure = 0.)
         square += std::pow(newton[i][j] - picard[i][j], 2);
         size = std::max(size, std::abs(newton[i][j]));
       }
+    if (square == 0.) // all of a rigid cell's stiffness is in both
+      continue;
     const double weight = product / square;
     lowest              = std::min(lowest, weight);
     highest             = std::max(highest, weight);
@@ -168,7 +178,7 @@ void check_primal_dual(const FluidLaw &law, const double mean_pressure = 0.)
         error = std::max(error,
                          std::abs(dual[i][j] - (1. - weight) * picard[i][j] - weight * newton[i][j]) / size);
   }
-  const std::string name = name_of<dim>() + " primal-dual tangent ";
+  const std::string name = name_of<dim>() + " primal-dual tangent" + what + " ";
   check(name + "lies between Picard and Newton", error, 1e-12);
   check(name + "has one weight", highest - lowest, 1e-10);
   check(name + "has a weight from 0.8 to 1", lowest > 0.8 && highest < 1. + 1e-10);
@@ -201,6 +211,48 @@ void check_pressure_columns(const FluidLaw &law)
   check(name + "there is one", size > 0.01);
   check(name + "primal-dual has Newton's", error, 0.);
   check(name + "Picard has none", picard_size, 0.);
+}
+
+/// The plastic stress of an exact yield stress.
+template <int dim>
+void check_exact_stress(const FluidLaw &law)
+{
+  const std::string name = Utilities::int_to_string(dim) + "D exact yield stress: ";
+  Random random;
+  double error = 0., fixed_point = 0., largest = 0., rigid = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    Example<dim> example(random, law);
+    FluidCell<dim> &cell = example.cell;
+    const double tau_0 = law.yield_stress(0.).value, rate = cell.strain_rate;
+    const auto plastic_error = [&](const SymmetricTensor<2, dim> &stress) {
+      const auto residual =
+        example.system(assembler(ExactPlasticStress<dim>(ViscosityLinearization::newton))).residual;
+      double difference = 0.;
+      for (unsigned int I = 0; I <= dim; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+          difference = std::max(difference, std::abs(residual[CellSystem<dim>::index(I, a)] -
+                                                     cell.volume * (stress * cell.gradients[I])[a]));
+      return difference;
+    };
+    largest = std::max(largest, deviator_norm<dim>(project_deviator<dim>(cell.multiplier)));
+    // Any multiplier: |P(X)| ≤ 1 and no viscous part.
+    cell.multiplier = SymmetricTensor<2, dim>();
+    error           = std::max(error,
+                               plastic_error(2. * tau_0 * std::min(law.augmentation(), 1. / rate) * cell.deviator));
+    cell.multiplier = 2. / rate * cell.deviator; // that of flow at this rate
+    fixed_point     = std::max(fixed_point, plastic_error(tau_0 * cell.multiplier));
+    // At rest the stress is the multiplier.
+    for (unsigned int I = 0; I <= dim; ++I)
+      cell.velocity[I] = Tensor<1, dim>();
+    cell.multiplier *= 0.9;
+    cell.reinit(example.old_position, true);
+    rigid = std::max(rigid, plastic_error(tau_0 * cell.multiplier));
+  }
+  check(name + "without multiplier it is that of a biviscous fluid", error, 1e-12);
+  check(name + "with that of the flow it is Bingham's", fixed_point, 1e-12);
+  check(name + "at rest it is the multiplier's", rigid, 1e-12);
+  check(name + "projections have at most the length one", largest <= 1. + 1e-14);
 }
 
 template <int dim>
@@ -324,6 +376,29 @@ void check_grains()
   check_pressure_columns<dim>(*sand);
 }
 
+/// A yield stress that is not regularised, with short and long steps of the multipliers.
+template <int dim>
+void check_exact()
+{
+  for (const char *augmentation : {"0.2", "3"})
+  {
+    const std::string name = std::string(", r = ") + augmentation;
+    const auto exact       = make_law("Herschel-Bulkley", {{"Density", "1.3"},
+                                                           {"Consistency", "0.7"},
+                                                           {"Flow index", "0.4"},
+                                                           {"Yield stress", "2"},
+                                                           {"Yield", "exact"},
+                                                           {"Augmentation parameter", augmentation}});
+    check_jacobian<dim>("exact yield stress, plastic part" + name, *exact,
+                        assembler(ExactPlasticStress<dim>(ViscosityLinearization::newton)));
+    check_jacobian<dim>("exact yield stress, viscous part" + name, *exact,
+                        assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
+    check_primal_dual<dim, ExactPlasticStress<dim>>(", exact yield stress" + name, *exact);
+    if (!Symmetry::applies<dim>())
+      check_exact_stress<dim>(*exact);
+  }
+}
+
 template <int dim>
 void test()
 {
@@ -340,16 +415,17 @@ void test()
                         [opposite](const auto &cell, auto &system) {
                           FICFreeSurface<dim>().assemble(cell, opposite, system);
                         });
-  check_primal_dual<dim>(*bingham);
-
+  check_primal_dual<dim, ViscousStress<dim>>("", *bingham);
   check_grains<dim>();
+  check_exact<dim>();
   check_identities<dim>(*bingham);
   if (dim == 3)
     return;
   Symmetry::set_rotational(true);
   check_jacobians<dim>(*bingham, *newtonian);
-  check_primal_dual<dim>(*bingham);
+  check_primal_dual<dim, ViscousStress<dim>>("", *bingham);
   check_grains<dim>();
+  check_exact<dim>();
   Symmetry::set_rotational(false);
 }
 

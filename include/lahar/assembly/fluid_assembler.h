@@ -43,21 +43,48 @@ namespace Lahar
      * parameter, all at the start of the step. τ_s |q − π| is the velocity at which the stabilisation lets fluid pass
      * through its own pressure gradient, and q − π a few hundredths of ρ g: so a plug that moves has a τ_s that keeps its
      * pressure smooth, one that stands leaks by less than it creeps.
+     *
+     * Where the yield stress is exact τ_s = τ(min(μ_eff, μ_limit)) everywhere, and in cells that stand (state.stands) π is
+     * the cell's own ∇p + ρ g of the start of the step: pressures that carry fluid at rest stay as they are, and nothing
+     * drives it.
      */
     void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
                            FluidState<dim> &state) const;
 
-    /// Set Λ = 2 f d' of all cells from the present velocities.
+    /// Whether the stabilisation has a projection, see ResidualProjection.
+    bool projects_residual() const
+    {
+      return stabilization->projects_residual();
+    }
+
+    /// Set Λ = 2 f e' of all cells from the present velocities, see FluidCell::plastic_rate().
     void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
 
     /**
      * How Λ follows the mean velocities when they change by α times @p increment (by vertex) from the present state:
-     * Λ(α) = base + α slope, base = 2 d'/ψ, slope = [2 δd' − ψ' (2 d':δd'/γ̇) Λ̂]/ψ.
+     * Λ(α) = base + α slope, base = 2 e'/ψ, slope = [2 δd' − ψ' (2 e':δd'/ε̇) Λ̂]/ψ, see FluidCell::plastic_rate().
      */
     void predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
                               const std::vector<Tensor<1, dim>> &increment,
                               std::vector<SymmetricTensor<2, dim>> &base,
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
+
+    /// Of a yield stress that is exact: Λ_k becomes P(Λ_k + 2 r d') of the present velocities, see ExactPlasticStress.
+    void update_multipliers(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+
+    /**
+     * G = τ0 Σ V (γ̇ − Λ:d') ≥ 0 with Λ = 2 f e', and E = ∫ ρ (∂a/∂v) |v|² + ∫ μ γ̇², sums over the @p counted cells, in W
+     * (2D: W/m). In equilibrium G bounds the error that is left of the law without regularisation, in the norm in which E
+     * is the size of the velocities themselves: from any velocity to the right one, ∫ ρ (∂a/∂v) |δv|² + 2 ∫ μ δd':δd' ≤ G,
+     * where the geometry stays and without stabilisation.
+     */
+    struct YieldGap
+    {
+      double gap    = 0.;
+      double energy = 0.;
+    };
+    YieldGap yield_gap(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
+                       const std::vector<bool> &counted) const;
 
     /// Assemble; the cells of @p mesh are those that this rank adds to @p system, in its order. @return whether all
     /// cells have positive volume; if not, the system is incomplete. Of cells that are left out there is the diagonal

@@ -6,6 +6,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <lahar/assembly/deviator.h>
 #include <lahar/geometry/symmetry.h>
 #include <lahar/material/fluid_law.h>
 
@@ -76,9 +77,24 @@ namespace Lahar
     double stabilization_viscosity = 0.;  ///< viscosity in the stabilisation terms, Pa s
     Tensor<1, dim> residual_projection;   ///< mean of π over the corners, see ResidualProjection; N/m³
     SymmetricTensor<2, dim> plastic_dual; ///< Λ of the primal–dual Newton scheme
+    SymmetricTensor<2, dim> multiplier;   ///< Λ_k of an exact yield stress, see ExactPlasticStress
 
     /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
     void reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion);
+
+    /// The rate e' to which the plastic part of the stress belongs, τ0 f(ε̇) 2 e' with ε̇ = sqrt(2 e':e'), in-plane part:
+    /// d', and where the yield stress is exact d' + Λ_k/(2 r).
+    SymmetricTensor<2, dim> plastic_rate() const
+    {
+      const double r = law->augmentation();
+      return r > 0. ? deviator + multiplier / (2. * r) : deviator;
+    }
+
+    /// ε̇ of plastic_rate().
+    double plastic_strain_rate() const
+    {
+      return law->augmentation() > 0. ? 2. * deviator_norm<dim>(plastic_rate()) : strain_rate;
+    }
 
     double mean_pressure() const
     {

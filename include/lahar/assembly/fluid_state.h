@@ -38,6 +38,23 @@ namespace Lahar
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
     std::vector<bool> sliver, left_out;
 
+    /// Where the yield stress is exact, by cell: Λ_k, see ExactPlasticStress; whether the fluid stands, and π then. Else
+    /// empty.
+    std::vector<SymmetricTensor<2, dim>> multiplier;
+    std::vector<bool> stands;
+    std::vector<Tensor<1, dim>> standing_projection;
+
+    /// π of a cell.
+    Tensor<1, dim> projection_of(const unsigned int c, const Simplex<dim> &vertices) const
+    {
+      if (!stands.empty() && stands[c])
+        return standing_projection[c];
+      Tensor<1, dim> sum;
+      for (const unsigned int v : vertices)
+        sum += residual_projection[v] / (dim + 1.);
+      return sum;
+    }
+
     /// The corners of a cell whose shape gives its stress and its masses: those of a sliver are of the start of the step.
     SimplexCorners<dim> shape_of(const unsigned int c, const Simplex<dim> &vertices) const
     {

@@ -34,7 +34,8 @@ namespace Lahar
   };
 
   /**
-   * Viscous and plastic stress: R_I += ∫ ∇N_I·τ, τ = 2 μ_eff d'.
+   * Viscous and plastic stress: R_I += ∫ ∇N_I·τ, τ = 2 μ_eff d'; where the yield stress is exact the viscous part alone,
+   * τ = 2 μ d' (the other one is ExactPlasticStress).
    *
    * Where the law depends on the pressure, ∂R_I/∂p_J = −∫ (1/(dim+1)) (∂μ_eff/∂P) ∇N_I·2d' for p̄ < 0, zero in tension and
    * with Picard: the system's Q is then not that of the mass equation, see BlockSystem.

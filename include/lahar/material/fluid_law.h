@@ -66,6 +66,22 @@ namespace Lahar
     /// f(γ̇), s: the plastic part of the viscosity per unit yield stress.
     virtual Value plastic_part(const double strain_rate) const;
 
+    /**
+     * r, s, of a yield stress that is not regularised; zero of one that is. There plastic_part() is Huber's
+     * f(γ̇) = min(r, 1/γ̇), and the method of multipliers (ExactPlasticStress) takes what it regularises away: the result
+     * does not depend on r. Such a yield stress does not depend on the pressure.
+     */
+    virtual double augmentation() const
+    {
+      return 0.;
+    }
+
+    /// Whether there is a yield stress that is not regularised.
+    bool has_exact_yield_stress() const
+    {
+      return augmentation() > 0. && yield_stress(0.).value > 0.;
+    }
+
     /// μ_eff(γ̇, P) and its derivatives.
     Value effective_viscosity(const double strain_rate, const double pressure) const;
 

@@ -8,10 +8,12 @@
 namespace Lahar
 {
   /**
-   * A fluid with a yield stress τ_y = τ0 + μ_s P, where μ_s is zero unless a derived class sets it, regularised by
-   * Papanastasiou (J. Rheol. 31 (1987) 385): the plastic part is τ_y f with
+   * A fluid with a yield stress τ_y = τ0 + μ_s P, where μ_s is zero unless a derived class sets it. Of those without
+   * friction `Yield` is one of
    *
-   *   f(γ̇) = (1 − exp(−m γ̇)) / γ̇,   f(0) = m,   f'(0) = −m²/2.
+   *   Papanastasiou  regularised (J. Rheol. 31 (1987) 385): the plastic part is τ0 f with
+   *                  f(γ̇) = (1 − exp(−m γ̇)) / γ̇,   f(0) = m,   f'(0) = −m²/2,
+   *   exact          not regularised: |τ| ≤ τ0 where γ̇ = 0. f is that of FluidLaw::augmentation().
    *
    * f γ̇ grows from 0 to 1, so that stress grows with γ̇ wherever that of the viscous part does. As m → ∞, f γ̇ → 1
    * wherever γ̇ > 0. A derived class gives the viscous part.
@@ -26,24 +28,34 @@ namespace Lahar
 
     Value plastic_part(const double strain_rate) const override;
 
+    double augmentation() const override
+    {
+      return r;
+    }
+
   protected:
     /// Declare `Yield stress`.
     static void declare_yield_stress(Parameters &prm);
 
     /// Declare `Regularization parameter`. @param unyielded viscosity of the unyielded fluid, for the documentation.
     static void declare_regularization(Parameters &prm, const std::string &unyielded);
+    /// Declare `Yield` and the parameters of its choices.
+    static void declare_yield(Parameters &prm, const std::string &unyielded);
 
     /// Read `Yield stress`. @throws InputError
     void parse_yield_stress(const Parameters &prm);
 
-    /// Read `Regularization parameter`. @throws InputError
+    /// Read what declare_regularization() declares. @throws InputError
     void parse_regularization(const Parameters &prm);
+    /// Read what declare_yield() declares. @throws InputError
+    void parse_yield(const Parameters &prm);
 
     double tau_0    = 0.; ///< Pa
     double friction = 0.; ///< μ_s
 
   private:
     double m = 0.;
+    double r = 0.; ///< zero where the yield stress is regularised
   };
 } // namespace Lahar
 

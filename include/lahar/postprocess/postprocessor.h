@@ -35,7 +35,8 @@ namespace Lahar
     const Walls<dim> &walls;
     const Migration<dim> &migration;
     TimeMeans &means; ///< since the last snapshot
-    double time = 0.;
+    double time                       = 0.;
+    const CellTable<dim> *multipliers = nullptr; ///< Λ of an exact yield stress, see PlasticMultipliers
 
     const MPI_Comm &communicator() const
     {

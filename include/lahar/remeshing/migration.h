@@ -7,6 +7,7 @@
 
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/particles/recursive_bisection.h>
+#include <lahar/remeshing/cell_table.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/utilities/halo_exchange.h>
 
@@ -45,9 +46,10 @@ namespace Lahar
      *
      * @param distance by which a rank's region is wider than the box around its own particles, m.
      * @param n_shared particles come first in the cloud on all ranks and stay there.
+     * @param values of cells that go with them, or none: afterwards this rank has those that the owners of its cells had.
      */
     void migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                 const unsigned int n_shared);
+                 const unsigned int n_shared, CellTable<dim> *values = nullptr);
 
     /// Keep of a cloud that all ranks have what belongs to this one.
     void distribute(ParticleCloud<dim> &cloud, const double distance, const unsigned int n_shared);

@@ -21,6 +21,8 @@ namespace Lahar
     double momentum_residual       = 0.;    ///< norm of the last assembled residual, N
     double mass_residual           = 0.;    ///< norm of the last assembled residual, m^dim/s
     bool is_settled                = false; ///< see StepProblem::is_settled()
+    double yield_gap               = 0.;    ///< see StepProblem::yield_gap(), W (2D: W/m)
+    double relative_yield_gap      = 0.;    ///< over the energy there
     std::vector<std::pair<double, double>> increments; ///< of velocity and pressure, by iteration
   };
 
@@ -30,6 +32,10 @@ namespace Lahar
    * derivatives are taken but for the viscosity's, which follows the chosen ViscosityLinearization. The derivatives of
    * the geometry are left out while they would flatten cells or turn the increment uphill, and a step that overshoots is
    * shortened by a line search; the work of the residual along the increment tells both.
+   *
+   * Where the yield stress is exact, its multipliers are updated after each full step as soon as the velocity increment is
+   * small, and the iteration goes on until the relative yield gap is below its tolerance, too, or the fluid stands. Near
+   * the yield limit the gap falls slowly: it is let pass where iterations run out.
    *
    * How the increments are found is what a scheme does of its own. It registers itself with
    * Factory<NonlinearScheme<dim>>; its entries stand in the subsection of its name in "Nonlinear solver".
@@ -70,11 +76,22 @@ namespace Lahar
     void iterate(StepProblem<dim> &problem, NonlinearReport &report);
 
     /// Whether both increments are within the tolerance.
-    bool is_converged(const NonlinearReport &report) const
+    bool are_increments_small(const NonlinearReport &report) const
     {
       return report.velocity_increment <= tolerance && report.pressure_increment <= tolerance &&
              report.is_settled;
     }
+
+    /// Whether in addition the gap of an exact yield stress is within its own.
+    bool is_converged(const StepProblem<dim> &problem, const NonlinearReport &report) const
+    {
+      return are_increments_small(report) &&
+             (!problem.law().has_exact_yield_stress() || problem.is_standing() ||
+              report.relative_yield_gap <= gap_tolerance || report.iterations == maximum_iterations);
+    }
+
+    /// Enter the gap in the report.
+    static void find_yield_gap(const StepProblem<dim> &problem, NonlinearReport &report);
 
     /// The chosen linearisation of the viscosity, Newton's for a fluid without yield stress.
     ViscosityLinearization viscosity_linearization(const StepProblem<dim> &problem) const;
@@ -82,6 +99,9 @@ namespace Lahar
     ViscosityLinearization viscosity = ViscosityLinearization::primal_dual;
     double tolerance                 = 1e-4;
     unsigned int maximum_iterations  = 30;
+    double multiplier_increment      = 0.1; ///< velocity increment below which multipliers are updated
+    double gap_tolerance             = 1e-3;
+    bool multipliers_follow          = false; ///< whether they are updated already in this step
     bool motion             = true; ///< whether the Jacobian has the derivatives of the geometry in this step
     double motion_increment = 0.;   ///< velocity increment below which they come back
   };

@@ -12,6 +12,7 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
+#include <lahar/remeshing/plastic_multipliers.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/case.h>
 #include <lahar/simulator/ill_posed_cells.h>
@@ -109,6 +110,11 @@ namespace Lahar
     double fluid_volume() const;
     /// See MomentumAccount.
     Tensor<1, dim> fluid_momentum() const;
+    /// Whether there is an exact yield stress, whose multipliers are carried along.
+    bool has_multipliers() const
+    {
+      return input.geometry.law().has_exact_yield_stress();
+    }
     void remesh(const double time_step);
     /// Fluid goes out, fluid that has come in gets its cells.
     void exchange_fluid();
@@ -172,6 +178,7 @@ namespace Lahar
     Outlets<dim> outlets;
     FluidMesh<dim> fluid_mesh;
     typename Remesher<dim>::Report remeshing; ///< the last one
+    PlasticMultipliers<dim> multipliers;      ///< where a yield stress is exact
 
     StepCounters counters;
     struct

@@ -60,6 +60,8 @@ namespace Lahar
       const std::vector<bool> &arrives;
       /// Where fluid slides along boundaries that resist.
       std::vector<SlidingContact<dim>> sliding;
+      /// Of an exact yield stress, by cell, see ExactPlasticStress; empty where there are none yet.
+      const std::vector<SymmetricTensor<2, dim>> &multipliers;
     };
 
     /// Begin a step: velocities and pressures start from the old ones, prescribed velocities have their values at the end.
@@ -88,6 +90,29 @@ namespace Lahar
 
     /// Whether the last iteration solved the step's own equations, see SlidingFriction::is_settled(). Collective.
     bool is_settled() const;
+
+    /// Whether the stabilisation has a projection, which an exact yield stress needs, see FluidAssembler.
+    bool projects_residual() const
+    {
+      return assembler.projects_residual();
+    }
+
+    /// Λ_k of an exact yield stress become those of the present velocities, see ExactPlasticStress. Then assemble again.
+    void update_multipliers();
+
+    /// Those, by cell of the mesh of the start of the step, to which @p multipliers belongs; in cells that this rank does
+    /// not work on they stay.
+    void get_multipliers(std::vector<SymmetricTensor<2, dim>> &multipliers) const;
+
+    /// How much the present velocities still differ from those of an exact yield stress, of all cells; the energy is at
+    /// least that of `Standing velocity`. Collective.
+    typename FluidAssembler<dim>::YieldGap yield_gap() const;
+
+    /// Whether the fluid is so slow that it counts as standing, see `Standing velocity`.
+    bool is_standing() const
+    {
+      return mean_speed < standing_velocity;
+    }
 
     /// Whether increments were halved in the last step.
     bool was_damped() const
@@ -171,6 +196,8 @@ namespace Lahar
     std::vector<unsigned int> crushable_cells() const;
     /// Keep simplices from being flattened by the old velocities.
     void slow_down(std::vector<Tensor<1, dim>> &velocities);
+    /// Multipliers of the cells, and which cells belong to parts of the fluid that stand.
+    void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
     void start_increment();
@@ -217,7 +244,10 @@ namespace Lahar
     std::vector<Point<dim>> start_position; ///< by local number
     std::vector<bool> is_solid;             ///< by local number: whether the node is a solid's
     std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
-    double mean_spacing  = 0.; ///< of the mesh's particles, m
+    double mean_spacing      = 0.;   ///< of the mesh's particles, m
+    double standing_velocity = 1e-7; ///< m/s
+    double mean_speed =
+      0.; ///< of the fluid at the end of the step, root of the mean square over the nodes, m/s
     double velocity_norm = 0., pressure_norm = 0.;
     double relative_velocity_increment = 0., relative_pressure_increment = 0.;
   };

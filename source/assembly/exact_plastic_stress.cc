@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/assembly/assemble_stress.h>
+#include <lahar/assembly/exact_plastic_stress.h>
+
+namespace Lahar
+{
+  namespace
+  {
+    // As in ViscousStress: part of the secant stiffness is left where Λ and X do not agree yet.
+    constexpr double largest_stiffening = 0.3;
+    constexpr double stiffening_rate    = 3.;
+  } // namespace
+
+
+
+  template <int dim>
+  SymmetricTensor<2, dim> ExactPlasticStress<dim>::rank_one_part(const FluidCell<dim> &cell,
+                                                                 const SymmetricTensor<2, dim> &rate,
+                                                                 const double strain_rate) const
+  {
+    const FluidLaw::Value f = cell.law->plastic_part(strain_rate);
+    if (linearization == ViscosityLinearization::picard || f.derivative == 0.)
+      return {};
+    const double factor = cell.law->yield_stress(0.).value * f.derivative / strain_rate;
+    if (linearization == ViscosityLinearization::newton)
+      return 2. * plastic_weight * factor * rate;
+    const double gap    = deviator_norm<dim>(cell.plastic_dual - 2. * f.value * rate);
+    const double weight = std::min(plastic_weight, 1. - std::min(largest_stiffening, stiffening_rate * gap));
+    return weight * factor / f.value * project_deviator<dim>(cell.plastic_dual);
+  }
+
+
+
+  template <int dim>
+  void ExactPlasticStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  {
+    const SymmetricTensor<2, dim> rate = cell.plastic_rate();
+    const double strain_rate           = cell.plastic_strain_rate();
+    const double viscosity = cell.law->yield_stress(0.).value * cell.law->plastic_part(strain_rate).value;
+    assemble_stress(cell, SymmetricTensor<2, dim>(2. * viscosity * rate),
+                    StressTangent<dim>{viscosity, 1., rate, rank_one_part(cell, rate, strain_rate)}, system);
+  }
+
+
+
+  template class ExactPlasticStress<2>;
+  template class ExactPlasticStress<3>;
+} // namespace Lahar

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/assembly/fluid_assembler.h>
+
+namespace Lahar
+{
+  template <int dim>
+  void FluidAssembler<dim>::update_multipliers(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                               FluidState<dim> &state) const
+  {
+    FluidCell<dim> cell;
+    cell.law = &law;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      if (state.left_out[c])
+        continue;
+      gather(mesh.cells()[c], state, cell);
+      cell.multiplier = state.multiplier[c];
+      cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
+      if (cell.volume > 0.)
+        state.multiplier[c] = project_deviator<dim>(2. * law.augmentation() * cell.plastic_rate());
+    }
+  }
+
+
+
+  template <int dim>
+  typename FluidAssembler<dim>::YieldGap
+  FluidAssembler<dim>::yield_gap(const FluidMesh<dim> &mesh, const FluidLaw &law,
+                                 const FluidState<dim> &state, const std::vector<bool> &counted) const
+  {
+    const bool is_exact = law.has_exact_yield_stress();
+    YieldGap result;
+    FluidCell<dim> cell;
+    cell.law = &law;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      if (state.left_out[c] || !counted[c])
+        continue;
+      gather(mesh.cells()[c], state, cell);
+      if (is_exact)
+        cell.multiplier = state.multiplier[c];
+      cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
+      if (!(cell.volume > 0.))
+        continue;
+      const double f    = law.plastic_part(cell.plastic_strain_rate()).value;
+      const double work = 2. * f * deviator_product<dim>(cell.plastic_rate(), cell.deviator);
+      result.gap += law.yield_stress(cell.confining_pressure()).value * cell.volume *
+                    std::max(0., cell.strain_rate - work);
+      double inertia = 0.;
+      for (unsigned int I = 0; I <= dim; ++I)
+        for (unsigned int J = 0; J <= dim; ++J)
+          inertia += cell.mass(I, J) * cell.acceleration_factor[I] / cell.velocity_factor[I] *
+                     (cell.velocity[I] * cell.velocity[J]);
+      result.energy += cell.volume * (law.density() * inertia +
+                                      law.viscous_part(cell.strain_rate, cell.confining_pressure()).value *
+                                        cell.strain_rate * cell.strain_rate);
+    }
+    return result;
+  }
+
+
+
+  template void FluidAssembler<2>::update_multipliers(const FluidMesh<2> &, const FluidLaw &,
+                                                      FluidState<2> &) const;
+  template void FluidAssembler<3>::update_multipliers(const FluidMesh<3> &, const FluidLaw &,
+                                                      FluidState<3> &) const;
+  template FluidAssembler<2>::YieldGap FluidAssembler<2>::yield_gap(const FluidMesh<2> &, const FluidLaw &,
+                                                                    const FluidState<2> &,
+                                                                    const std::vector<bool> &) const;
+  template FluidAssembler<3>::YieldGap FluidAssembler<3>::yield_gap(const FluidMesh<3> &, const FluidLaw &,
+                                                                    const FluidState<3> &,
+                                                                    const std::vector<bool> &) const;
+} // namespace Lahar

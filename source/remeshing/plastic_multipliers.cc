@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/remeshing/plastic_multipliers.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  template <int dim>
+  void PlasticMultipliers<dim>::set(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                                    std::vector<Value> values)
+  {
+    AssertDimension(values.size(), mesh.n_cells());
+    of_cells = std::move(values);
+    by_particles.clear();
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      by_particles.add(CellTable<dim>::key(mesh.particle_cells()[c], cloud), of_cells[c]);
+    by_particles.sort();
+  }
+
+
+
+  template <int dim>
+  void PlasticMultipliers<dim>::spread(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                                       const Migration<dim> &migration)
+  {
+    // Sums of V Λ and V; doubles side by side, as they are sent.
+    constexpr unsigned int n = Value::n_independent_components;
+    std::vector<std::array<double, n + 1>> sums(cloud.size(), std::array<double, n + 1>{});
+    for (const Simplex<dim> &cell : mesh.particle_cells())
+      if (const Value *value = by_particles.find(CellTable<dim>::key(cell, cloud)))
+      {
+        const double volume = std::abs(signed_volume<dim>(corners_of<dim>(cell, cloud.position)));
+        for (const unsigned int particle : cell)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            sums[particle][i] += volume * value->access_raw_entry(i);
+          sums[particle][n] += volume;
+        }
+      }
+    migration.update(sums);
+    means.clear();
+    for (unsigned int particle = 0; particle < cloud.size(); ++particle)
+      if (sums[particle][n] > 0.)
+      {
+        Value mean;
+        for (unsigned int i = 0; i < n; ++i)
+          mean.access_raw_entry(i) = sums[particle][i] / sums[particle][n];
+        means.emplace_back(cloud.number[particle], mean);
+      }
+  }
+
+
+
+  template <int dim>
+  void PlasticMultipliers<dim>::follow(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
+  {
+    of_cells.assign(mesh.n_cells(), Value());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      const auto key = CellTable<dim>::key(mesh.particle_cells()[c], cloud);
+      if (const Value *value = by_particles.find(key))
+      {
+        of_cells[c] = *value;
+        continue;
+      }
+      unsigned int n_known = 0;
+      for (const std::uint64_t number : key)
+      {
+        const auto place = std::lower_bound(means.begin(), means.end(), number,
+                                            [](const auto &mean, const std::uint64_t wanted) {
+                                              return mean.first < wanted;
+                                            });
+        if (place != means.end() && place->first == number)
+        {
+          of_cells[c] += place->second;
+          ++n_known;
+        }
+      }
+      if (n_known > 0)
+        of_cells[c] /= n_known;
+    }
+  }
+
+
+
+  template class PlasticMultipliers<2>;
+  template class PlasticMultipliers<3>;
+} // namespace Lahar

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/simulator/spread_largest.h>
+#include <lahar/simulator/step_problem.h>
+
+#include <algorithm>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// Fluid stands also below this part of what gravity makes in a step: forces of this size come from the projection that
+    /// follows the pressure, and would go on for ever.
+    constexpr double negligible_acceleration = 1e-4;
+  } // namespace
+
+
+
+  template <int dim>
+  void StepProblem<dim>::start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers)
+  {
+    // Without pressure, as in the first step, nothing stands.
+    FluidState<dim> &state = fluid.state;
+    state.multiplier.assign(mesh->n_cells(), SymmetricTensor<2, dim>());
+    state.standing_projection.assign(mesh->n_cells(), Tensor<1, dim>());
+    state.stands.assign(mesh->n_cells(), false);
+    if (!multipliers.empty())
+      for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+        state.multiplier[c] = multipliers[system.cells()[c]];
+    if (time_integration.is_first_step())
+      return;
+
+    boost::disjoint_sets_with_storage<> parts(constraints.size());
+    for (const Simplex<dim> &cell : system.cells_by_local_number())
+      for (const unsigned int node : cell)
+        parts.union_set(cell[0], node);
+    std::vector<double> speed(constraints.size(), 0.);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      speed[system.local_number(v)] = std::max(state.old_velocity[v].norm(), state.mean_velocity[v].norm());
+    spread_largest(parts, system.partition(), speed);
+    const double slowest = standing_velocity + negligible_acceleration * gravity.norm() * state.time_step;
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      state.stands[c] = speed[system.cells_by_local_number()[c][0]] < slowest;
+    // What stands is expected to stand: velocities that are errors are not carried on.
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      if (speed[system.local_number(v)] < slowest)
+        state.mean_velocity[v] = state.velocity[v] = Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::update_multipliers()
+  {
+    assembler.update_multipliers(*mesh, *fluid_law, fluid.state);
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::get_multipliers(std::vector<SymmetricTensor<2, dim>> &multipliers) const
+  {
+    multipliers.resize(region_mesh->n_cells());
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      multipliers[system.cells()[c]] = fluid.state.multiplier[c];
+  }
+
+
+
+  template <int dim>
+  typename FluidAssembler<dim>::YieldGap StepProblem<dim>::yield_gap() const
+  {
+    // A cell counts on the rank of its node with the smallest number.
+    const std::vector<unsigned int> &number = system.partition().global_numbers();
+    std::vector<bool> counted;
+    for (const Simplex<dim> &cell : system.cells_by_local_number())
+      counted.push_back(
+        *std::min_element(cell.begin(), cell.end(), [&](const unsigned int a, const unsigned int b) {
+          return number[a] < number[b];
+        }) < system.partition().n_own());
+    auto own                          = assembler.yield_gap(*mesh, *fluid_law, fluid.state, counted);
+    const std::vector<double> volumes = fluid.new_volumes();
+    const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (counted[c] && !fluid.state.left_out[c])
+        own.energy += fluid_law->density() * volumes[c] * rate * standing_velocity * standing_velocity;
+    const double sums[2] = {own.gap, own.energy};
+    double all[2];
+    Utilities::MPI::sum(ArrayView<const double>(sums, 2), communicator(), ArrayView<double>(all, 2));
+    return {all[0], all[1]};
+  }
+
+
+
+  template void StepProblem<2>::start_multipliers(const std::vector<SymmetricTensor<2, 2>> &);
+  template void StepProblem<3>::start_multipliers(const std::vector<SymmetricTensor<2, 3>> &);
+  template void StepProblem<2>::update_multipliers();
+  template void StepProblem<3>::update_multipliers();
+  template void StepProblem<2>::get_multipliers(std::vector<SymmetricTensor<2, 2>> &) const;
+  template void StepProblem<3>::get_multipliers(std::vector<SymmetricTensor<2, 3>> &) const;
+  template FluidAssembler<2>::YieldGap StepProblem<2>::yield_gap() const;
+  template FluidAssembler<3>::YieldGap StepProblem<3>::yield_gap() const;
+} // namespace Lahar
