@@ -36,6 +36,8 @@ def main():
                     abs(fronts / grains - 1.).max(), 0.1)
         check.below(f"{ratio}: height at rest, over that at the start",
                     abs(heights[-1] - measured[f"{ratio} height"][-1]), 0.04)
+        n_warnings = (kept / "screen.txt").read_text().count("equations of the fluid's law are well-posed")
+        check.below(f"{ratio}: the warning of ill-posed cells is there once", abs(n_warnings - 1), 0)
         energy = statistics["Kinetic energy (J)"]
         check.below(f"{ratio}: kinetic energy at the end over the largest", energy[-1] / energy.max(), 2e-3)
         for cause, change in zip(("solver", "remeshing"), volume_changes(statistics)):
