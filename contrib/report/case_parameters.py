@@ -39,6 +39,9 @@ class CaseParameters:
         if "Dimension" not in self.entries:
             raise OutputError(f"{path}: no entry 'Dimension'; allowed: the parameters.prm that a run has written")
         self.dimension = 3 if self.get("Dimension") == "3" else 2
+        # What two dimensions stand for: of a plane all is per metre of depth.
+        self.geometry = ("in space" if self.dimension == 3 else "rotational symmetry"
+                         if self.get("Geometry") == "rotational symmetry" else "plane strain")
 
     def get(self, path, otherwise=""):
         return self.entries[path].value if path in self.entries else otherwise

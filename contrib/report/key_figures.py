@@ -63,8 +63,8 @@ def parse_columns(run):
         label, unit = re.match(r"(.*?)(?: \(([^()]*)\))?$", name).groups()
         component = re.match(r"(.*) ([xyz])$", label)
         stem, component = component.groups() if component else (label, "")
-        unit = (unit or "").replace("^dim", f"^{run.dimension}").replace("^2", "²").replace("^3", "³")
-        if run.dimension == 2:
+        unit = (unit or "").replace("^dim", "^2" if run.is_plane else "^3").replace("^2", "²").replace("^3", "³")
+        if run.is_plane:
             unit = IN_THE_PLANE.get(unit, unit)
         if stem.endswith(" pressure") and unit == "Pa":
             values = -values

@@ -200,7 +200,7 @@ def page(runs, columns, frames, constant, data, stored, arguments):
         "forces": report_sections.forces(runs, columns, arguments.window),
         "accounts": report_sections.accounts(runs, columns),
         "numerics": report_sections.numerics(runs), "messages": report_sections.messages(runs),
-        "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].dimension == 2 else "",
+        "plane_note": (HERE / "plane_note.html").read_text(encoding="utf-8") if runs[0].is_plane else "",
     }, data, stored, SCRIPTS)
 
 
@@ -218,7 +218,7 @@ def filled(template, sections, data, stored, scripts):
 
 
 def subtitle(runs):
-    kind = "plane strain" if runs[0].dimension == 2 else "in space"
+    kind = runs[0].case.geometry
     if len(runs) > 1:
         return f"{len(runs)} runs, {kind}"
     return f"{runs[0].state()} · {kind} · mesh size {short(runs[0].case.number('Mesh size'))} m"

@@ -41,7 +41,7 @@ def overview(runs, columns):
 
     add("State", lambda run, _: run.state())
     add("Reason", lambda run, _: run.log.failure)
-    add("Dimension", lambda run, _: "plane strain" if run.dimension == 2 else "in space")
+    add("Dimension", lambda run, _: run.case.geometry)
     add("Mesh size", lambda run, _: f"{short(run.case.number('Mesh size'))} m")
     add("Time steps", step_sizes)
     add("Fluid cells, first → last", first_and_last("Fluid cells"))

@@ -45,6 +45,10 @@ class Run:
         return self.case.dimension
 
     @property
+    def is_plane(self):
+        return self.case.geometry == "plane strain"
+
+    @property
     def time(self):
         return self.statistics[TIME]
 

@@ -40,7 +40,7 @@ def write_start_page(argument, arguments):
     head, block = encoder.blocks()[0]
     data = {"dimension": run.dimension,
             "run": flow_data(run, flow, encoder, walls, box, [{**head, "id": "snapshot-0-0"}])}
-    kind = "plane strain" if run.dimension == 2 else "in space"
+    kind = run.case.geometry
     write_atomically(arguments.output, filled("start.html", {
         "title": escape(arguments.title or run.name), "subtitle": f"the start, {kind}", "sizes": sizes(directory / "log"),
         "sketch": sketches_html([run]), "materials": report_sections.materials([run]),

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rotational symmetry in the half plane (r, z): fluid at rest in a cylinder, an inviscid drop that becomes an ellipsoid,
-a plug that slides down a pipe, a viscous gravity current, and the mini slump cone against the theory of thin layers.
+"""Rotational symmetry in the half plane (r, z): fluid at rest in a cylinder and in free fall, an inviscid drop that
+becomes an ellipsoid, a plug that slides down a pipe, a viscous gravity current, and the mini slump cone against the theory
+of thin layers.
 
 H. E. Huppert's current (J. Fluid Mech. 121 (1982) 43-58) of the volume V has the radius 0.894 (g V³ t/(3 nu))^(1/8), and
 the depth on the axis is 4 V/(3 pi r²) by its profile (1 - s²)^(1/3).
@@ -37,6 +38,19 @@ def check_rest(check):
     check.near("rest, force on the floor", statistics["floor force y (N)"][-1], -WEIGHT * volume, 1e-7)
     check.near("rest, potential energy", statistics["Potential energy (J)"][-1], 0.5 * HEIGHT * WEIGHT * volume, 1e-7)
     check_volume(check, "rest", statistics, 1e-12)
+
+
+def check_fall(check):
+    """A cylinder of 0.2 m radius and height: the case of the plane, whose square is its section."""
+    statistics = read_run(check.run("free_motion/free_fall.prm", "Geometry=rotational symmetry"))
+    mass = 1000. * math.pi * 0.2**3
+    kinetic_energy = 0.5 * mass * (GRAVITY * statistics["Time (s)"])**2
+    energy = statistics["Kinetic energy (J)"] + statistics["Potential energy (J)"]
+    check.below("fall, kinetic energy, relative error",
+                np.abs(statistics["Kinetic energy (J)"] / kinetic_energy - 1.).max(), 1e-9)
+    check.below("fall, change of energy over the final kinetic energy", np.ptp(energy) / kinetic_energy[-1], 1e-9)
+    check.below("fall, change of the radius", np.ptp(statistics["right (m)"]) / 0.2, 1e-9)
+    check_volume(check, "fall", statistics, 1e-12)
 
 
 def check_drop(check):
@@ -85,6 +99,7 @@ def check_cone(check):
 def main():
     check = Check(__doc__)
     check_rest(check)
+    check_fall(check)
     check_drop(check)
     check_plug(check)
     check_current(check)
