@@ -77,7 +77,7 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const Materials &materials,
                                               const Tensor<1, dim> &gravity, FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
@@ -87,6 +87,7 @@ namespace Lahar
     state.sliver.resize(mesh.n_cells(), false);
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      const FluidLaw &law = materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
       const double edge    = cell.edge();
@@ -103,26 +104,33 @@ namespace Lahar
                                                        std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
     }
 
-    state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
-    if (stabilization->projects_residual())
+    if (!stabilization->projects_residual())
     {
-      ResidualProjection<dim> projection(mesh.n_vertices());
-      cell.law     = &law;
-      cell.gravity = gravity;
-      for (const Simplex<dim> &vertices : mesh.cells())
-      {
-        gather(vertices, state, cell);
-        cell.reinit(corners_of<dim>(vertices, state.old_position), false);
-        projection.add(vertices, cell);
-      }
-      state.residual_projection = projection.compute();
+      state.residual_projection.assign(materials.n_fluids() * mesh.n_vertices(), Tensor<1, dim>());
+      return;
+    }
+    std::vector<ResidualProjection<dim>> projections(materials.n_fluids(),
+                                                     ResidualProjection<dim>(mesh.n_vertices()));
+    cell.gravity = gravity;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      cell.law = &materials.law(mesh.fluid(c));
+      gather(mesh.cells()[c], state, cell);
+      cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
+      projections[mesh.fluid(c)].add(mesh.cells()[c], cell);
+    }
+    state.residual_projection.clear();
+    for (const ResidualProjection<dim> &projection : projections)
+    {
+      const std::vector<Tensor<1, dim>> of_fluid = projection.compute();
+      state.residual_projection.insert(state.residual_projection.end(), of_fluid.begin(), of_fluid.end());
     }
   }
 
 
 
   template <int dim>
-  void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
                                                FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
@@ -131,14 +139,15 @@ namespace Lahar
     {
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), false);
-      state.plastic_dual[c] = 2. * law.plastic_part(cell.strain_rate).value * cell.deviator;
+      state.plastic_dual[c] = 2. * materials.law(mesh.fluid(c)).plastic_part(cell.strain_rate).value *
+                              cell.deviator;
     }
   }
 
 
 
   template <int dim>
-  void FluidAssembler<dim>::predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::predict_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
                                                  const FluidState<dim> &state,
                                                  const std::vector<Tensor<1, dim>> &increment,
                                                  std::vector<SymmetricTensor<2, dim>> &base,
@@ -149,7 +158,9 @@ namespace Lahar
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      if (state.left_out[c])
+      const FluidLaw &law = materials.law(mesh.fluid(c));
+      base[c] = slope[c] = SymmetricTensor<2, dim>();
+      if (state.left_out[c] || law.yield_stress() == 0.)
         continue;
       const Simplex<dim> &vertices = mesh.cells()[c];
       gather(vertices, state, cell);
@@ -192,7 +203,7 @@ namespace Lahar
 
 
   template <int dim>
-  bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const Materials &materials,
                                      const Tensor<1, dim> &gravity, const FluidState<dim> &state,
                                      const Linearization &linearization, BlockSystem<dim> &system) const
   {
@@ -204,7 +215,6 @@ namespace Lahar
 
     FluidCell<dim> cell;
     CellSystem<dim> cell_system;
-    cell.law       = &law;
     cell.gravity   = gravity;
     cell.time_step = state.time_step;
 
@@ -213,6 +223,7 @@ namespace Lahar
     auto face = mesh.boundary_faces().begin();
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      cell.law = &materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
       const auto corners           = state.shape_of(c, mesh.cells()[c]);
       cell.old_volume              = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
@@ -230,7 +241,8 @@ namespace Lahar
         return false;
       cell.residual_projection = Tensor<1, dim>();
       for (const unsigned int v : mesh.cells()[c])
-        cell.residual_projection += state.residual_projection[v] / (dim + 1.);
+        cell.residual_projection += state.residual_projection[mesh.fluid(c) * mesh.n_vertices() + v] /
+                                    (dim + 1.);
       if (linearization.viscosity == ViscosityLinearization::primal_dual)
         cell.plastic_dual = state.plastic_dual[c];
 

@@ -22,12 +22,13 @@ namespace Lahar
   void Energies<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
     double kinetic = 0., potential = 0.;
-    for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
+    for (unsigned int c = 0; c < snapshot.mesh.n_cells(); ++c)
     {
+      const Simplex<dim> &cell = snapshot.mesh.particle_cells()[c];
       if (!snapshot.cloud.is_own(cell))
         continue;
       const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
-      const double mass  = snapshot.law.density() * signed_volume<dim>(corners);
+      const double mass  = snapshot.law(c).density() * signed_volume<dim>(corners);
       // ∫ N_I N_J = V (1 + δ_IJ)/((dim+1)(dim+2)), so ∫ |v|² = V (|Σ v_I|² + Σ |v_I|²)/((dim+1)(dim+2)).
       Tensor<1, dim> sum;
       double sum_of_squares = 0.;

@@ -26,7 +26,7 @@ namespace Lahar
     {
       Vector<double> values(snapshot.mesh.n_cells());
       for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c] = snapshot.law.is_yielded(cell.strain_rate);
+        values[c] = snapshot.law(c).is_yielded(cell.strain_rate);
       });
       return values;
     }

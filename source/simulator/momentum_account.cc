@@ -7,12 +7,13 @@ namespace Lahar
 {
   template <int dim>
   Tensor<1, dim> MomentumAccount<dim>::compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                               const double density, const MPI_Comm &communicator) const
+                                               const Materials &materials, const MPI_Comm &communicator) const
   {
     Tensor<1, dim> momentum;
-    for (const Simplex<dim> &cell : mesh.particle_cells())
-      if (cloud.is_own(cell))
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if (const Simplex<dim> &cell = mesh.particle_cells()[c]; cloud.is_own(cell))
       {
+        const double density = materials.law(mesh.fluid(c)).density();
         Tensor<1, dim> sum;
         for (const unsigned int i : cell)
           sum += cloud.velocity[i] - carried_time * cloud.algorithmic_acceleration[i];

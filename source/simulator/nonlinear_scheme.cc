@@ -78,7 +78,7 @@ namespace Lahar
   template <int dim>
   ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const StepProblem<dim> &problem) const
   {
-    return viscosity == ViscosityLinearization::primal_dual && problem.law().yield_stress() == 0.
+    return viscosity == ViscosityLinearization::primal_dual && !problem.fluids().any_yields()
              ? ViscosityLinearization::newton
              : viscosity;
   }

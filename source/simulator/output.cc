@@ -30,8 +30,7 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh, input.geometry.law(), input.gravity, solids,
-            walls,     migration,  output.means(),       time};
+    return {particles, fluid_mesh, materials, input.gravity, solids, walls, migration, output.means(), time};
   }
 
 
@@ -54,6 +53,7 @@ namespace Lahar
     line.add_value("Solid cells", solids.mesh().n_cells());
     line.add_value("Fluid particles", count_on_ranks(particles.n_particles(ParticleKind::fluid)));
     account.volume.add_columns(line);
+    account.fluids.add_columns(line);
     line.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
     line.add_value("Rejected steps", counters.rejected);
     if (!solids.empty())

@@ -84,7 +84,7 @@ namespace Lahar
                              std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
     velocity_norm        = std::max(std::sqrt(v), v_floor);
-    const double p_floor = negligible_acceleration * fluid_law->density() * mean_spacing /
+    const double p_floor = negligible_acceleration * materials.largest_density() * mean_spacing /
                            fluid.state.time_step * velocity_norm;
     pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});
 
@@ -107,7 +107,7 @@ namespace Lahar
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, fluid.state, linearization, system)))
+      if (!on_all_ranks(assembler.assemble(*mesh, materials, gravity, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
@@ -133,7 +133,7 @@ namespace Lahar
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
     const double v_scale = std::max(velocity_norm, gravity.norm() * fluid.state.time_step * length * 1e-3);
-    const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
+    const double p_scale = std::max(pressure_norm, materials.largest_density() * v_scale * v_scale / length);
     const IncrementScales scales    = {v_scale, p_scale, negligible};
     const unsigned int n_iterations = in_two_steps
                                         ? linear_solver->solve_in_two_steps(system, scales, solution)
@@ -154,8 +154,8 @@ namespace Lahar
     base_velocity = node_velocities();
     base_volumes  = fluid.new_volumes();
     base_pressure = fluid.state.pressure;
-    if (fluid_law->yield_stress() > 0.)
-      assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, by_vertex(velocity_change), base_dual,
+    if (materials.any_yields())
+      assembler.predict_plastic_dual(*mesh, materials, fluid.state, by_vertex(velocity_change), base_dual,
                                      dual_change);
   }
 
@@ -193,7 +193,7 @@ namespace Lahar
       held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       fluid.state.pressure[v] = base_pressure[v] + length * pressure_change[v];
-    if (fluid_law->yield_stress() > 0.)
+    if (materials.any_yields())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         fluid.state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
     set_norms();

@@ -34,7 +34,8 @@ namespace Lahar
     std::vector<double> pressure;
 
     std::vector<double> stabilization, stabilization_viscosity;
-    std::vector<Tensor<1, dim>> residual_projection; ///< by vertex, N/m³; see ResidualProjection
+    std::vector<Tensor<1, dim>>
+      residual_projection; ///< by vertex for the first fluid, then for the second …; N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
     std::vector<bool> sliver, left_out;
 

@@ -14,6 +14,7 @@
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/case.h>
+#include <lahar/simulator/fluid_accounts.h>
 #include <lahar/simulator/momentum_account.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_checkpoint.h>
@@ -106,6 +107,10 @@ namespace Lahar
     unsigned int count_on_ranks(const unsigned int n) const;
     /// Of the cells, what isolated particles carry, and what comes in at present, on all ranks.
     double fluid_volume() const;
+    /// The same of each fluid, where there are several.
+    std::vector<double> fluid_volumes() const;
+    /// What comes in of each fluid in the step, where there are several, m^dim.
+    std::vector<double> inflow_volumes() const;
     /// See MomentumAccount.
     Tensor<1, dim> fluid_momentum() const;
     void remesh(const double time_step);
@@ -155,6 +160,7 @@ namespace Lahar
 
     Parameters &prm;
     Case<dim> input;
+    Materials materials; ///< of its fluids
     Solids<dim> solids;
     TimeIntegration time_integration;
     Remesher<dim> remesher;
@@ -176,6 +182,7 @@ namespace Lahar
     struct
     {
       VolumeAccount<dim> volume;
+      FluidAccounts<dim> fluids;
       MomentumAccount<dim> momentum;
     } account;
     RunOutput<dim> output;
