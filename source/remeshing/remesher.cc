@@ -85,6 +85,7 @@ namespace Lahar
       std::vector<Facet> segments = solid_facets;
       for (const Facet &segment : find_wall_segments(cloud, walls, 2. * reach))
         segments.push_back(segment);
+      const unsigned int n_required = segments.size();
       for (const Facet &segment : interfaces(reach, segments))
         segments.push_back(segment);
       // All ranks take the same way: each waits for what the others ask of it.
@@ -93,7 +94,7 @@ namespace Lahar
       {
         std::vector<bool> forced;
         const auto candidates = local_constrained_delaunay({cloud, own, reach, is_own_candidate, migration},
-                                                           segments, forced);
+                                                           segments, n_required, forced);
         for (unsigned int f = 0; f < solid_facets.size(); ++f)
           n_forced += (forced[f] && cloud.is_own(solid_facets[f][0]));
         return candidates;
