@@ -27,7 +27,7 @@ from mesh_geometry import faces_with_cells, usual_range
 
 LABELS = {
     "speed": "speed (m/s)", "velocity": "speed (m/s)", "pressure": "pressure (Pa)", "strain_rate": "strain rate (1/s)",
-    "effective_viscosity": "effective viscosity (Pa s)",
+    "effective_viscosity": "effective viscosity (Pa s)", "fluid": "number of the fluid",
 }
 BY_CELL = ("strain_rate", "effective_viscosity", "yielded")
 N_DEFAULT_PANELS = 4

@@ -82,7 +82,7 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const Materials &materials,
                                               const Tensor<1, dim> &gravity, FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
@@ -90,8 +90,8 @@ namespace Lahar
     state.stabilization_viscosity.resize(mesh.n_cells());
     state.left_out.assign(mesh.n_cells(), false);
     state.sliver.resize(mesh.n_cells(), false);
-    const bool is_exact = law.has_exact_yield_stress();
-    if (is_exact)
+    const bool any_exact = materials.any_exact_yield_stress();
+    if (any_exact)
     {
       state.multiplier.resize(mesh.n_cells());
       state.stands.resize(mesh.n_cells(), false);
@@ -99,6 +99,7 @@ namespace Lahar
     }
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      const FluidLaw &law = materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
       const double edge    = cell.edge();
@@ -111,68 +112,78 @@ namespace Lahar
       const double slowest = (law.density() * gravity).norm() /
                              (largest_leak * std::max(speed, smallest_speed));
       state.stabilization_viscosity[c] = mu;
-      state.stabilization[c] =
-        1. / std::max(8. * mu / (edge * edge) + inertia,
-                      is_exact ? 0. : std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
+      state.stabilization[c]           = 1. / std::max(8. * mu / (edge * edge) + inertia,
+                                             law.has_exact_yield_stress()
+                                                         ? 0.
+                                                         : std::min(8. * mu_eff / (edge * edge) + inertia, slowest));
     }
 
-    state.residual_projection.assign(mesh.n_vertices(), Tensor<1, dim>());
-    if (stabilization->projects_residual())
+    if (!stabilization->projects_residual())
     {
-      ResidualProjection<dim> projection(mesh.n_vertices());
-      cell.law     = &law;
-      cell.gravity = gravity;
-      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      {
-        const Simplex<dim> &vertices = mesh.cells()[c];
-        gather(vertices, state, cell);
-        if (is_exact)
-          cell.multiplier = state.multiplier[c];
-        cell.reinit(corners_of<dim>(vertices, state.old_position), false);
-        projection.add(vertices, cell);
-        if (is_exact && state.stands[c])
-          state.standing_projection[c] = cell.momentum_residual(0.);
-      }
-      state.residual_projection = projection.compute();
+      state.residual_projection.assign(materials.n_fluids() * mesh.n_vertices(), Tensor<1, dim>());
+      return;
+    }
+    std::vector<ResidualProjection<dim>> projections(materials.n_fluids(),
+                                                     ResidualProjection<dim>(mesh.n_vertices()));
+    cell.gravity = gravity;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      cell.law = &materials.law(mesh.fluid(c));
+      gather(mesh.cells()[c], state, cell);
+      if (any_exact)
+        cell.multiplier = state.multiplier[c];
+      cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
+      projections[mesh.fluid(c)].add(mesh.cells()[c], cell);
+      if (any_exact && state.stands[c])
+        state.standing_projection[c] = cell.momentum_residual(0.);
+    }
+    state.residual_projection.clear();
+    for (const ResidualProjection<dim> &projection : projections)
+    {
+      const std::vector<Tensor<1, dim>> of_fluid = projection.compute();
+      state.residual_projection.insert(state.residual_projection.end(), of_fluid.begin(), of_fluid.end());
     }
   }
 
 
 
   template <int dim>
-  void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
                                                FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
-    cell.law = &law;
     state.plastic_dual.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      cell.law = &materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
-      if (law.has_exact_yield_stress())
+      if (cell.law->has_exact_yield_stress())
         cell.multiplier = state.multiplier[c];
       cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), false);
-      state.plastic_dual[c] = 2. * law.plastic_part(cell.plastic_strain_rate()).value * cell.plastic_rate();
+      state.plastic_dual[c] = 2. * cell.law->plastic_part(cell.plastic_strain_rate()).value *
+                              cell.plastic_rate();
     }
   }
 
 
 
   template <int dim>
-  void FluidAssembler<dim>::predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::predict_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
                                                  const FluidState<dim> &state,
                                                  const std::vector<Tensor<1, dim>> &increment,
                                                  std::vector<SymmetricTensor<2, dim>> &base,
                                                  std::vector<SymmetricTensor<2, dim>> &slope) const
   {
     FluidCell<dim> cell;
-    cell.law = &law;
     base.resize(mesh.n_cells());
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      if (state.left_out[c])
+      const FluidLaw &law = materials.law(mesh.fluid(c));
+      base[c] = slope[c] = SymmetricTensor<2, dim>();
+      if (state.left_out[c] || !law.has_yield_stress())
         continue;
+      cell.law                     = &law;
       const Simplex<dim> &vertices = mesh.cells()[c];
       gather(vertices, state, cell);
       if (law.has_exact_yield_stress())
@@ -221,7 +232,7 @@ namespace Lahar
 
 
   template <int dim>
-  bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const Materials &materials,
                                      const Tensor<1, dim> &gravity, const FluidState<dim> &state,
                                      const Linearization &linearization, BlockSystem<dim> &system) const
   {
@@ -234,7 +245,6 @@ namespace Lahar
 
     FluidCell<dim> cell;
     CellSystem<dim> cell_system;
-    cell.law       = &law;
     cell.gravity   = gravity;
     cell.time_step = state.time_step;
 
@@ -243,6 +253,7 @@ namespace Lahar
     auto face = mesh.boundary_faces().begin();
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
+      cell.law = &materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
       const auto corners = state.shape_of(c, mesh.cells()[c]);
       cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
@@ -260,7 +271,7 @@ namespace Lahar
                              signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
       if (!(cell.volume > 0.))
         return false;
-      cell.residual_projection = state.projection_of(c, mesh.cells()[c]);
+      cell.residual_projection = state.projection_of(c, mesh.cells()[c], mesh.fluid(c));
       if (linearization.viscosity == ViscosityLinearization::primal_dual)
         cell.plastic_dual = state.plastic_dual[c];
 
@@ -268,7 +279,7 @@ namespace Lahar
       inertia.assemble(cell, cell_system);
       body_force.assemble(cell, cell_system);
       viscous_stress.assemble(cell, cell_system);
-      if (law.has_exact_yield_stress())
+      if (cell.law->has_exact_yield_stress())
       {
         cell.multiplier = state.multiplier[c];
         exact_plastic_stress.assemble(cell, cell_system);

@@ -5,20 +5,20 @@
 namespace Lahar
 {
   template <int dim>
-  void FluidAssembler<dim>::update_multipliers(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  void FluidAssembler<dim>::update_multipliers(const FluidMesh<dim> &mesh, const Materials &materials,
                                                FluidState<dim> &state) const
   {
     FluidCell<dim> cell;
-    cell.law = &law;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       if (state.left_out[c])
         continue;
+      cell.law = &materials.law(mesh.fluid(c));
       gather(mesh.cells()[c], state, cell);
       cell.multiplier = state.multiplier[c];
       cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
       if (cell.volume > 0.)
-        state.multiplier[c] = project_deviator<dim>(2. * law.augmentation() * cell.plastic_rate());
+        state.multiplier[c] = project_deviator<dim>(2. * cell.law->augmentation() * cell.plastic_rate());
     }
   }
 
@@ -26,19 +26,19 @@ namespace Lahar
 
   template <int dim>
   typename FluidAssembler<dim>::YieldGap
-  FluidAssembler<dim>::yield_gap(const FluidMesh<dim> &mesh, const FluidLaw &law,
+  FluidAssembler<dim>::yield_gap(const FluidMesh<dim> &mesh, const Materials &materials,
                                  const FluidState<dim> &state, const std::vector<bool> &counted) const
   {
-    const bool is_exact = law.has_exact_yield_stress();
     YieldGap result;
     FluidCell<dim> cell;
-    cell.law = &law;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       if (state.left_out[c] || !counted[c])
         continue;
+      const FluidLaw &law = materials.law(mesh.fluid(c));
+      cell.law            = &law;
       gather(mesh.cells()[c], state, cell);
-      if (is_exact)
+      if (law.has_exact_yield_stress())
         cell.multiplier = state.multiplier[c];
       cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
       if (!(cell.volume > 0.))
@@ -61,14 +61,14 @@ namespace Lahar
 
 
 
-  template void FluidAssembler<2>::update_multipliers(const FluidMesh<2> &, const FluidLaw &,
+  template void FluidAssembler<2>::update_multipliers(const FluidMesh<2> &, const Materials &,
                                                       FluidState<2> &) const;
-  template void FluidAssembler<3>::update_multipliers(const FluidMesh<3> &, const FluidLaw &,
+  template void FluidAssembler<3>::update_multipliers(const FluidMesh<3> &, const Materials &,
                                                       FluidState<3> &) const;
-  template FluidAssembler<2>::YieldGap FluidAssembler<2>::yield_gap(const FluidMesh<2> &, const FluidLaw &,
+  template FluidAssembler<2>::YieldGap FluidAssembler<2>::yield_gap(const FluidMesh<2> &, const Materials &,
                                                                     const FluidState<2> &,
                                                                     const std::vector<bool> &) const;
-  template FluidAssembler<3>::YieldGap FluidAssembler<3>::yield_gap(const FluidMesh<3> &, const FluidLaw &,
+  template FluidAssembler<3>::YieldGap FluidAssembler<3>::yield_gap(const FluidMesh<3> &, const Materials &,
                                                                     const FluidState<3> &,
                                                                     const std::vector<bool> &) const;
 } // namespace Lahar

@@ -4,6 +4,7 @@
 
 #include <lahar/boundary/inlets.h>
 #include <lahar/geometry/simplex_geometry.h>
+#include <lahar/particles/fluid_set.h>
 
 #include <algorithm>
 #include <limits>
@@ -113,7 +114,8 @@ namespace Lahar
       from.speed  = mean(from, time, length);
       if (from.source.law->is_discharge())
         from.speed /= sums[n];
-      flux += from.speed * sums[n];
+      from.flux = from.speed * sums[n];
+      flux += from.flux;
       for (unsigned int k = 0; k < from.homes.size(); ++k)
         if (const double movement = length * from.speed * from.factor[k] / from.spacing[k];
             movement > largest_movement)
@@ -181,6 +183,31 @@ namespace Lahar
     double sum = 0.;
     for (const auto &[number, volume] : layers(cloud, mesh))
       sum += volume;
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double Inlets<dim>::layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                                   const unsigned int fluid) const
+  {
+    double sum = 0.;
+    for (const auto &[number, volume] : layers(cloud, mesh))
+      if (inlet(cloud.find(number), cloud).source.fluid == fluid)
+        sum += volume;
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double Inlets<dim>::volume(const unsigned int fluid) const
+  {
+    double sum = 0.;
+    for (const Inlet &from : inlets)
+      if (from.source.fluid == fluid)
+        sum += length * from.flux;
     return sum;
   }
 
@@ -323,6 +350,8 @@ namespace Lahar
       for (const unsigned int i : faces[f].corners)
         faces_of[i].push_back(f);
     std::vector<Simplex<dim>> cells  = mesh.particle_cells();
+    std::vector<unsigned int> fluids = mesh.cell_fluids();
+    fluids.resize(cells.size(), 0);
     const std::uint64_t first_number = cloud.next_number;
     for (const unsigned int i : renewed)
     {
@@ -349,10 +378,11 @@ namespace Lahar
         if (signed_volume<dim>(corners_of<dim>(cell, cloud.position)) < 0.)
           std::swap(cell[0], cell[1]);
         cells.push_back(cell);
+        fluids.push_back(from.source.fluid);
         std::replace(faces[f].corners.begin(), faces[f].corners.end(), i, n);
       }
       cloud.kind[i]     = ParticleKind::fluid;
-      cloud.part[i]     = from.source.fluid;
+      cloud.part[i]     = fluid_set(from.source.fluid);
       cloud.reaction[i] = Tensor<1, dim>();
       if (faces_of[i].empty())
         cloud.owed_volume[i] -= from.area[k] * cloud.spacing[i];
@@ -360,7 +390,7 @@ namespace Lahar
         put_beside_walls(i, faces[faces_of[i][0]].inner, walls, cloud);
     }
     cloud.next_number = first_number + numbers_of_all.size();
-    mesh.reinit(cloud, cells);
+    mesh.reinit(cloud, cells, fluids);
     return numbers_of_all.size();
   }
 

@@ -196,9 +196,11 @@ namespace Lahar
 
 
   ConstrainedDelaunay::ConstrainedDelaunay(const std::vector<Point<2>> &points,
-                                           const std::vector<std::array<unsigned int, 2>> &segments)
+                                           const std::vector<std::array<unsigned int, 2>> &segments,
+                                           const unsigned int n_required)
     : points(points)
     , segments(segments)
+    , n_required(n_required)
     , is_forced(segments.size(), false)
     , implementation(std::make_unique<Implementation>())
   {}
@@ -238,6 +240,8 @@ namespace Lahar
       }
       catch (const Triangulation::Intersection_of_constraints_exception &)
       {
+        if (s >= n_required)
+          continue;
         std::ostringstream message;
         message << "the contours of two solids cross at (" << points[from] << ") m";
         throw RunError(message.str());

@@ -4,6 +4,7 @@
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/sharp_edges.h>
 #include <lahar/initial/initial_geometry.h>
+#include <lahar/particles/fluid_set.h>
 
 #include <algorithm>
 #include <limits>
@@ -276,9 +277,7 @@ namespace Lahar
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     check_inflows(h.coarsest());
-    Fillings fillings;
-    for (const auto &body : bodies)
-      fillings.push_back(body->fill(h));
+    const Fillings fillings = fill_bodies(h);
     check_overlaps(fillings, h.coarsest());
     check_solids(fillings, solids, h.coarsest());
 
@@ -321,7 +320,7 @@ namespace Lahar
                : body.signed_distance(cloud.position[i]) <
                    (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness()))
           return;
-      append(p, ParticleKind::fluid, fluid_of[b]);
+      append(p, ParticleKind::fluid, fluid_set(fluid_of[b]));
       cloud.velocity.back() = fluids[fluid_of[b]].initial_velocity(p);
       body_of.push_back(b);
     };
@@ -331,6 +330,7 @@ namespace Lahar
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : fillings[b])
         add(b, p, 0.3);
+    mark_interfaces(walls, cloud);
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
   }

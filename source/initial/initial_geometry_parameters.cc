@@ -3,7 +3,7 @@
 #include <lahar/geometry/symmetry.h>
 #include <lahar/initial/axis.h>
 #include <lahar/initial/initial_geometry.h>
-#include <lahar/material/newtonian.h>
+#include <lahar/particles/fluid_set.h>
 #include <lahar/utilities/factory.h>
 
 #include <algorithm>
@@ -12,22 +12,6 @@
 
 namespace Lahar
 {
-  namespace
-  {
-    /// The entries of the chosen law in the handler's current section, by name.
-    std::map<std::string, std::string> law_entries(const Parameters &prm)
-    {
-      const std::string law = prm.path("Law"), section = prm.path(prm.get("Law")) + "/";
-      std::map<std::string, std::string> entries;
-      for (const auto &[path, value] : prm.values())
-        if (path == law || path.rfind(section, 0) == 0)
-          entries[path.substr(prm.path("").size())] = value;
-      return entries;
-    }
-  } // namespace
-
-
-
   template <int dim>
   void InitialGeometry<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
@@ -63,23 +47,16 @@ namespace Lahar
       throw InputError(
         "There is no fluid: 'Fluids' and 'Solids' are empty. Allowed: 'set Fluids = NAME' and a "
         "subsection 'Fluids/NAME' with the fluid's 'Shape' and 'Law'.");
+    if (structure.fluids.size() > most_fluids)
+      throw InputError("Parameter 'Fluids' has " + std::to_string(structure.fluids.size()) +
+                       " names. Allowed: at most " + std::to_string(most_fluids) + ".");
     max_particles = prm.get_count("Largest number of particles", 1, 100000000);
     prm.enter_subsection("Fluids");
-    std::map<std::string, std::string> first_law;
     for (const std::string &name : structure.fluids)
     {
       prm.enter_subsection(name);
       fluids.emplace_back();
       fluids.back().parse_parameters(prm, name);
-      const auto entries = law_entries(prm);
-      if (fluids.size() == 1)
-        first_law = entries;
-      for (const auto &[entry, value] : entries)
-        if (first_law.count(entry) == 0 || first_law.at(entry) != value)
-          prm.throw_wrong_value("Law",
-                                "one law with the same entries for all fluids, as the mesh does not part "
-                                "fluids; '" +
-                                  entry + "' differs from that of '" + fluids[0].name + "'");
       for (auto &body : fluids.back().bodies())
       {
         bodies.push_back(std::move(body));
@@ -133,17 +110,6 @@ namespace Lahar
       boundaries.push_back(make_axis(prm, points));
     for (const WallShape<dim> &wall : boundaries.back().walls(boundaries.size() - 1))
       wall_shapes.push_back(wall);
-  }
-
-
-
-  template <int dim>
-  const FluidLaw &InitialGeometry<dim>::law() const
-  {
-    static const Newtonian water;
-    if (fluids.empty())
-      return water;
-    return *fluids[0].law;
   }
 
 
@@ -221,7 +187,6 @@ namespace Lahar
   template unsigned int InitialGeometry<2>::fluid_number(const Inflow &) const;
   template std::vector<typename Inlets<2>::Source> InitialGeometry<2>::inflows() const;
   template Outlets<2> InitialGeometry<2>::outlets() const;
-  template const FluidLaw &InitialGeometry<2>::law() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<2>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &, const CaseStructure &);
@@ -229,7 +194,6 @@ namespace Lahar
   template unsigned int InitialGeometry<3>::fluid_number(const Inflow &) const;
   template std::vector<typename Inlets<3>::Source> InitialGeometry<3>::inflows() const;
   template Outlets<3> InitialGeometry<3>::outlets() const;
-  template const FluidLaw &InitialGeometry<3>::law() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<3>::surface_laws() const;
   template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;
 } // namespace Lahar

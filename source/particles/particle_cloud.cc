@@ -2,6 +2,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <lahar/particles/fluid_set.h>
 #include <lahar/particles/particle_cloud.h>
 
 #include <algorithm>
@@ -51,10 +52,11 @@ namespace Lahar
   template <int dim>
   unsigned int ParticleCloud<dim>::append_midpoint(const unsigned int a, const unsigned int b)
   {
-    const unsigned int i =
-      append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
-             0.5 * (spacing[a] + spacing[b]),
-             part[kind[a] == ParticleKind::fluid || kind[b] != ParticleKind::fluid ? a : b]);
+    const unsigned int i        = append(position[a] + 0.5 * (position[b] - position[a]), ParticleKind::fluid,
+                                         0.5 * (spacing[a] + spacing[b]));
+    const FluidSet of_a         = kind[a] == ParticleKind::fluid ? part[a] : 0U,
+                   of_b         = kind[b] == ParticleKind::fluid ? part[b] : 0U;
+    part[i]                     = (of_a & of_b) != 0U ? of_a & of_b : of_a | of_b;
     velocity[i]                 = 0.5 * (velocity[a] + velocity[b]);
     acceleration[i]             = 0.5 * (acceleration[a] + acceleration[b]);
     algorithmic_acceleration[i] = 0.5 * (algorithmic_acceleration[a] + algorithmic_acceleration[b]);

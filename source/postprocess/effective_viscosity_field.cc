@@ -26,7 +26,7 @@ namespace Lahar
     {
       Vector<double> values(snapshot.mesh.n_cells());
       for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c] = snapshot.law.effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
+        values[c] = snapshot.law(c).effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
       });
       return values;
     }

@@ -22,11 +22,13 @@ namespace Lahar
   void Energies<dim>::evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const
   {
     double kinetic = 0., potential = 0.;
-    for (const Simplex<dim> &cell : snapshot.mesh.particle_cells())
+    for (unsigned int c = 0; c < snapshot.mesh.n_cells(); ++c)
     {
+      const Simplex<dim> &cell = snapshot.mesh.particle_cells()[c];
       if (!snapshot.cloud.is_own(cell))
         continue;
-      const auto corners = corners_of<dim>(cell, snapshot.cloud.position);
+      const auto corners   = corners_of<dim>(cell, snapshot.cloud.position);
+      const double density = snapshot.law(c).density();
       if (Symmetry::applies<dim>())
       {
         // |v|² and x are linear combinations of shape functions, which are exact with three factors.
@@ -36,13 +38,12 @@ namespace Lahar
         {
           const Tensor<1, dim> &v = snapshot.cloud.velocity[cell[I]];
           for (unsigned int J = 0; J <= dim; ++J)
-            kinetic += 0.5 * snapshot.law.density() * ring.volume * ring.mass(I, J) *
-                       (v * snapshot.cloud.velocity[cell[J]]);
-          potential -= snapshot.law.density() * ring.share(I) * (snapshot.gravity * corners[I]);
+            kinetic += 0.5 * density * ring.volume * ring.mass(I, J) * (v * snapshot.cloud.velocity[cell[J]]);
+          potential -= density * ring.share(I) * (snapshot.gravity * corners[I]);
         }
         continue;
       }
-      const double mass = snapshot.law.density() * signed_volume<dim>(corners);
+      const double mass = density * signed_volume<dim>(corners);
       // ∫ N_I N_J = V (1 + δ_IJ)/((dim+1)(dim+2)), so ∫ |v|² = V (|Σ v_I|² + Σ |v_I|²)/((dim+1)(dim+2)).
       Tensor<1, dim> sum;
       double sum_of_squares = 0.;

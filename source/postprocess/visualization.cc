@@ -169,7 +169,7 @@ namespace Lahar
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       FluidMesh<dim> part;
       part.reinit_part(snapshot.mesh, vertices, cells);
-      list = write_piece({snapshot.cloud, part, snapshot.law, snapshot.gravity, snapshot.solids,
+      list = write_piece({snapshot.cloud, part, snapshot.materials, snapshot.gravity, snapshot.solids,
                           snapshot.walls, snapshot.migration, snapshot.means, snapshot.time,
                           snapshot.multipliers},
                          fields, own_piece, pieces);
@@ -205,6 +205,8 @@ namespace Lahar
     data_out.attach_dof_handler(mesh.dof_handler());
     for (const auto &[field_name, field] : fields)
     {
+      if (!field->is_there(snapshot))
+        continue;
       const bool of_vertices       = field->place() == OutputField<dim>::Place::vertices;
       const Vector<double> &values = all_values.emplace_back(field->evaluate(snapshot));
       AssertDimension(values.size(),

@@ -33,13 +33,13 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(snapshot.mesh.n_cells());
-      const auto &cells   = snapshot.mesh.particle_cells();
-      const bool is_exact = snapshot.law.has_exact_yield_stress() && snapshot.multipliers != nullptr;
+      const auto &cells = snapshot.mesh.particle_cells();
       for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c]         = snapshot.law.is_yielded(cell.strain_rate, cell.confining_pressure());
-        const auto *value = is_exact
-                              ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
-                              : nullptr;
+        const FluidLaw &law = snapshot.law(c);
+        values[c]           = law.is_yielded(cell.strain_rate, cell.confining_pressure());
+        const auto *value   = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
+                                ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
+                                : nullptr;
         if (value != nullptr)
           values[c] = deviator_norm<dim>(*value) > 1. - rounding;
       });

@@ -17,14 +17,19 @@ namespace Lahar
       return 0;
 
     std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &cell : mesh.particle_cells())
-      if (std::none_of(cell.begin(), cell.end(), [&](const unsigned int i) { return dropped[i]; }))
+    std::vector<unsigned int> fluids;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if (const Simplex<dim> &cell = mesh.particle_cells()[c];
+          std::none_of(cell.begin(), cell.end(), [&](const unsigned int i) { return dropped[i]; }))
+      {
         cells.push_back(cell);
+        fluids.push_back(mesh.fluid(c));
+      }
     const std::vector<unsigned int> new_index = cloud.remove(dropped);
     for (Simplex<dim> &cell : cells)
       for (unsigned int &corner : cell)
         corner = new_index[corner];
-    mesh.reinit(cloud, cells);
+    mesh.reinit(cloud, cells, fluids);
     return n_own;
   }
 

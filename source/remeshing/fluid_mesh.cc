@@ -18,11 +18,31 @@ namespace Lahar
 
 
   template <int dim>
-  bool FluidMesh<dim>::reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> new_cells)
+  bool FluidMesh<dim>::reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> new_cells,
+                              const std::vector<unsigned int> &new_fluids)
   {
     for (Simplex<dim> &cell : new_cells)
       cell = canonical<dim>(cell);
-    std::sort(new_cells.begin(), new_cells.end());
+    if (std::none_of(new_fluids.begin(), new_fluids.end(), [](const unsigned int n) { return n > 0; }))
+    {
+      std::sort(new_cells.begin(), new_cells.end());
+      set_cell_fluids({});
+    }
+    else
+    {
+      AssertDimension(new_fluids.size(), new_cells.size());
+      std::vector<std::pair<Simplex<dim>, unsigned int>> pairs;
+      for (unsigned int c = 0; c < new_cells.size(); ++c)
+        pairs.emplace_back(new_cells[c], new_fluids[c]);
+      std::sort(pairs.begin(), pairs.end());
+      std::vector<unsigned int> sorted;
+      for (unsigned int c = 0; c < new_cells.size(); ++c)
+      {
+        new_cells[c] = pairs[c].first;
+        sorted.push_back(pairs[c].second);
+      }
+      set_cell_fluids(sorted);
+    }
     const bool changed = new_cells != cells_of_particles;
     if (changed)
     {
@@ -54,6 +74,16 @@ namespace Lahar
 
 
   template <int dim>
+  void FluidMesh<dim>::set_cell_fluids(const std::vector<unsigned int> &new_fluids)
+  {
+    fluids.clear();
+    if (std::any_of(new_fluids.begin(), new_fluids.end(), [](const unsigned int fluid) { return fluid > 0; }))
+      fluids = new_fluids;
+  }
+
+
+
+  template <int dim>
   void FluidMesh<dim>::reinit_part(const FluidMesh<dim> &whole, const std::vector<unsigned int> &vertices,
                                    const std::vector<unsigned int> &cells)
   {
@@ -69,6 +99,7 @@ namespace Lahar
     ++n_changes;
     cells_of_particles.clear();
     vertex_cells.clear();
+    fluids.clear();
     faces.clear();
     auto face = whole.faces.begin();
     for (const unsigned int c : cells)
@@ -77,6 +108,8 @@ namespace Lahar
         if (face->cell == c)
           faces.push_back({n_cells(), face->opposite, face->free_surface});
       cells_of_particles.push_back(whole.cells_of_particles[c]);
+      if (!whole.fluids.empty())
+        fluids.push_back(whole.fluids[c]);
       vertex_cells.push_back(whole.vertex_cells[c]);
       for (unsigned int &corner : vertex_cells.back())
         corner = new_vertex[corner];
@@ -233,6 +266,19 @@ namespace Lahar
       if (cloud.is_own(cell))
         sum += body_volume<dim>(corners_of<dim>(cell, cloud.position));
     return sum;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> FluidMesh<dim>::volumes(const ParticleCloud<dim> &cloud,
+                                              const unsigned int n_fluids) const
+  {
+    std::vector<double> sums(n_fluids, 0.);
+    for (unsigned int c = 0; c < n_cells(); ++c)
+      if (cloud.is_own(cells_of_particles[c]))
+        sums[fluid(c)] += body_volume<dim>(corners_of<dim>(cells_of_particles[c], cloud.position));
+    return sums;
   }
 
 

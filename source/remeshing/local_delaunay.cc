@@ -142,14 +142,14 @@ namespace Lahar
 
   std::vector<Simplex<2>> local_constrained_delaunay(const WantedSimplices<2> &wanted,
                                                      const std::vector<std::array<unsigned int, 2>> &segments,
-                                                     std::vector<bool> &forced)
+                                                     const unsigned int n_required, std::vector<bool> &forced)
   {
     std::vector<Point<2>> points = wanted.cloud.position;
     std::vector<bool> used(wanted.cloud.size(), false);
     for (const auto &segment : segments)
       for (const unsigned int i : segment)
         used[i] = true;
-    ConstrainedDelaunay triangulation(points, segments);
+    ConstrainedDelaunay triangulation(points, segments, n_required);
     const auto result = find_simplices<2>(wanted, points, used, 2, triangulation);
     forced            = triangulation.forced();
     return result;

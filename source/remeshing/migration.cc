@@ -15,7 +15,7 @@ namespace Lahar
     /// A rank may have this times the mean work before space is divided anew.
     constexpr double largest_share = 1.05;
 
-    /// What one rank tells another: particles, cells by the numbers of their corners, and values of cells.
+    /// What one rank tells another: particles, cells by the numbers of their corners and of their fluids, and values of cells.
     struct Parcel
     {
       std::vector<double> particles;
@@ -173,8 +173,9 @@ namespace Lahar
       std::vector<bool> goes(cloud.size(), false);
       for (unsigned int i = 0; i < cloud.size(); ++i)
         goes[i] = cloud.is_own(i) && is_near(r, cloud.position[i]);
-      for (const Simplex<dim> &cell : mesh.particle_cells())
-        if (cloud.is_own(cell) && std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) {
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (const Simplex<dim> &cell = mesh.particle_cells()[c];
+            cloud.is_own(cell) && std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) {
               return is_near(r, cloud.position[i]);
             }))
         {
@@ -183,6 +184,7 @@ namespace Lahar
             goes[i] = true;
             parcel.cells.push_back(cloud.number[i]);
           }
+          parcel.cells.push_back(mesh.fluid(c));
           if (values != nullptr)
             if (const auto key = CellTable<dim>::key(cell, cloud); const auto *value = values->find(key))
               CellTable<dim>::append(key, *value, parcel.keys, parcel.values);
@@ -220,14 +222,16 @@ namespace Lahar
     cloud.reinit(std::move(records));
 
     std::vector<Simplex<dim>> cells;
+    std::vector<unsigned int> fluids;
     for (const auto &[sender, parcel] : received)
-      for (auto number = parcel.cells.begin(); number != parcel.cells.end(); number += dim + 1)
+      for (auto number = parcel.cells.begin(); number != parcel.cells.end(); number += dim + 2)
       {
         cells.emplace_back();
         for (unsigned int c = 0; c <= dim; ++c)
           cells.back()[c] = cloud.find(number[c]);
+        fluids.push_back(number[dim + 1]);
       }
-    mesh.reinit(cloud, cells);
+    mesh.reinit(cloud, cells, fluids);
     reinit(cloud);
     if (values == nullptr)
       return;
@@ -304,22 +308,22 @@ namespace Lahar
     std::map<unsigned int, std::vector<std::uint64_t>> sent;
     for (const unsigned int r : ranks_around(cloud))
       if (r != cloud.rank)
-        for (const auto &[cell, mark] : own)
+        for (const auto &[cell, is_new, fluid] : own)
           if (std::any_of(cell.begin(), cell.end(),
                           [&](const unsigned int i) { return is_near(r, cloud.position[i]); }))
           {
             for (const unsigned int i : cell)
               sent[r].push_back(cloud.number[i]);
-            sent[r].push_back(mark ? 1 : 0);
+            sent[r].push_back(2 * fluid + (is_new ? 1 : 0));
           }
     std::vector<MarkedCell> result = own;
     for (const auto &[sender, numbers] : Utilities::MPI::some_to_some(mpi_communicator, sent))
       for (auto number = numbers.begin(); number != numbers.end(); number += dim + 2)
       {
-        MarkedCell cell({}, number[dim + 1] == 1);
+        MarkedCell cell{{}, number[dim + 1] % 2 == 1, static_cast<unsigned int>(number[dim + 1] / 2)};
         for (unsigned int c = 0; c <= dim; ++c)
-          cell.first[c] = cloud.find(number[c]);
-        if (std::all_of(cell.first.begin(), cell.first.end(),
+          cell.corners[c] = cloud.find(number[c]);
+        if (std::all_of(cell.corners.begin(), cell.corners.end(),
                         [&](const unsigned int i) { return i < cloud.size(); }))
           result.push_back(cell);
       }

@@ -48,16 +48,17 @@ namespace Lahar
     , closed_faces_of(cloud.size())
   {
     cells.reserve(mesh.n_cells());
-    for (const Simplex<dim> &simplex : mesh.particle_cells())
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      const auto corners  = corners_of<dim>(simplex, cloud.position);
-      const double volume = signed_volume<dim>(corners);
+      const Simplex<dim> &simplex = mesh.particle_cells()[c];
+      const auto corners          = corners_of<dim>(simplex, cloud.position);
+      const double volume         = signed_volume<dim>(corners);
       if (!(volume > 0.))
         continue;
       for (const unsigned int particle : simplex)
         cells_of[particle].push_back(cells.size());
       cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex,
-                       body_volume<dim>(corners), cloud.is_own(simplex)});
+                       body_volume<dim>(corners), cloud.is_own(simplex), mesh.fluid(c)});
     }
     for (const BoundaryFace &face : mesh.boundary_faces())
     {
@@ -153,28 +154,30 @@ namespace Lahar
 
 
   template <int dim>
-  bool OldDomain<dim>::has_cell(const Simplex<dim> &simplex) const
+  unsigned int OldDomain<dim>::same_cell(const Simplex<dim> &simplex) const
   {
     Simplex<dim> old_corners;
     for (unsigned int c = 0; c <= dim; ++c)
     {
       const auto [seed, other_parent] = seeds[simplex[c]];
       if (seed == numbers::invalid_unsigned_int || seed != other_parent)
-        return false;
+        return numbers::invalid_unsigned_int;
       old_corners[c] = seed;
     }
     const std::vector<unsigned int> &candidates = cells_of[old_corners[0]];
-    return std::any_of(candidates.begin(), candidates.end(),
-                       [&](const unsigned int cell) { return cells[cell].corners == old_corners; });
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const unsigned int cell) {
+      return cells[cell].corners == old_corners;
+    });
+    return found == candidates.end() ? numbers::invalid_unsigned_int : *found;
   }
 
 
 
   template <int dim>
-  bool OldDomain<dim>::contains(const Simplex<dim> &simplex, const Point<dim> &point) const
+  unsigned int OldDomain<dim>::find_cell(const Simplex<dim> &simplex, const Point<dim> &point) const
   {
-    if (has_cell(simplex))
-      return true;
+    if (const unsigned int same = same_cell(simplex); same != numbers::invalid_unsigned_int)
+      return same;
     std::vector<unsigned int> first_ring;
     for (const unsigned int particle : simplex)
       for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})
@@ -182,7 +185,7 @@ namespace Lahar
           for (const unsigned int cell : cells_of[seed])
           {
             if (is_inside(cell, point))
-              return true;
+              return cell;
             first_ring.push_back(cell);
           }
     // A removed particle's cells, or those that the point has moved past, are in the second ring.
@@ -190,8 +193,18 @@ namespace Lahar
       for (const unsigned int corner : cells[ring_cell].corners)
         for (const unsigned int cell : cells_of[corner])
           if (is_inside(cell, point))
-            return true;
-    return false;
+            return cell;
+    return numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  std::optional<unsigned int> OldDomain<dim>::fluid_at(const Simplex<dim> &simplex,
+                                                       const Point<dim> &point) const
+  {
+    const unsigned int cell = find_cell(simplex, point);
+    return cell == numbers::invalid_unsigned_int ? std::nullopt : std::make_optional(cells[cell].fluid);
   }
 
 

@@ -3,10 +3,12 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <lahar/particles/fluid_set.h>
 #include <lahar/remeshing/harmful_midpoints.h>
 #include <lahar/remeshing/particle_spacing.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Lahar
 {
@@ -24,7 +26,11 @@ namespace Lahar
         continue;
       const double h      = 0.5 * (cloud.spacing[a] + cloud.spacing[b]);
       const double length = cloud.position[a].distance(cloud.position[b]);
-      if (length > longest * h)
+      // Where two fluids meet, a particle of both parts them.
+      const bool joins_fluids = cloud.kind[a] == ParticleKind::fluid &&
+                                cloud.kind[b] == ParticleKind::fluid &&
+                                are_apart(cloud.part[a], cloud.part[b]);
+      if (length > longest * h || joins_fluids)
         long_edges.push_back(edge);
     }
     const std::vector<bool> harmful = harmful_midpoints<dim>(long_edges, cloud, walls, mesh, shortest);
@@ -72,9 +78,34 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    using Edge = std::pair<unsigned int, unsigned int>;
+
+    /// The fluids of the cells around each edge; nothing where the whole mesh is of one fluid.
+    template <int dim>
+    std::map<Edge, FluidSet> fluids_around(const std::vector<Edge> &edges, const FluidMesh<dim> &mesh)
+    {
+      std::map<Edge, FluidSet> result;
+      if (mesh.cell_fluids().empty())
+        return result;
+      for (const Edge &edge : edges)
+        result[edge] = 0U;
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        for (const unsigned int a : mesh.particle_cells()[c])
+          for (const unsigned int b : mesh.particle_cells()[c])
+            if (a < b)
+              if (const auto edge = result.find({a, b}); edge != result.end())
+                edge->second |= fluid_set(mesh.fluid(c));
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
-  void ParticleSpacing<dim>::insert(std::vector<Edge> &edges, const Migration<dim> &migration,
-                                    ParticleCloud<dim> &cloud) const
+  void ParticleSpacing<dim>::insert(std::vector<Edge> &edges, const FluidMesh<dim> &mesh,
+                                    const Migration<dim> &migration, ParticleCloud<dim> &cloud) const
   {
     using Key         = std::pair<double, std::uint64_t>; // the longest first
     const auto key_of = [&](const Edge &edge) {
@@ -94,10 +125,16 @@ namespace Lahar
         keys.insert(keys.end(), of_rank.begin(), of_rank.end());
       std::sort(keys.begin(), keys.end());
     }
-    const std::uint64_t first = cloud.next_number;
+    const std::uint64_t first             = cloud.next_number;
+    const std::map<Edge, FluidSet> around = fluids_around(edges, mesh);
     for (const Edge &edge : edges)
     {
       const unsigned int i = cloud.append_midpoint(edge.first, edge.second);
+      if (const auto fluids = around.find(edge); fluids != around.end())
+        cloud.part[i] = fluids->second | (has_several(cloud.part[i]) &&
+                                              are_apart(cloud.part[edge.first], cloud.part[edge.second])
+                                            ? cloud.part[i]
+                                            : 0U);
       cloud.number[i] = first + (std::lower_bound(keys.begin(), keys.end(), key_of(edge)) - keys.begin());
     }
     cloud.next_number = first + keys.size();
@@ -109,12 +146,12 @@ namespace Lahar
   ParticleSpacing<2>::find_insertions(const ParticleCloud<2> &, const Walls<2> &, const FluidMesh<2> &,
                                       const std::vector<Edge> &, const std::vector<bool> &,
                                       const Migration<2> &) const;
-  template void ParticleSpacing<2>::insert(std::vector<Edge> &, const Migration<2> &,
+  template void ParticleSpacing<2>::insert(std::vector<Edge> &, const FluidMesh<2> &, const Migration<2> &,
                                            ParticleCloud<2> &) const;
   template std::vector<ParticleSpacing<3>::Edge>
   ParticleSpacing<3>::find_insertions(const ParticleCloud<3> &, const Walls<3> &, const FluidMesh<3> &,
                                       const std::vector<Edge> &, const std::vector<bool> &,
                                       const Migration<3> &) const;
-  template void ParticleSpacing<3>::insert(std::vector<Edge> &, const Migration<3> &,
+  template void ParticleSpacing<3>::insert(std::vector<Edge> &, const FluidMesh<3> &, const Migration<3> &,
                                            ParticleCloud<3> &) const;
 } // namespace Lahar

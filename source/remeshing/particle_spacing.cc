@@ -3,6 +3,8 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <lahar/particles/fluid_set.h>
+#include <lahar/remeshing/interface_faces.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -11,10 +13,12 @@
 
 namespace Lahar
 {
-  /// The neighbours of each particle along a plane free surface: previous and next with the fluid on the left.
+  /// The neighbours of each particle along a plane free surface or interface: previous and next, with the fluid, or the
+  /// first fluid, on the left.
   class SurfaceChain
   {
   public:
+    /// The free surface.
     template <int dim>
     SurfaceChain(const FluidMesh<dim> &mesh, const unsigned int n_particles)
       : links(dim == 2 ? n_particles : 0, {{none, none}})
@@ -23,11 +27,19 @@ namespace Lahar
         for (const BoundaryFace &face : mesh.boundary_faces())
           if (face.free_surface)
           {
-            const Simplex<2> &cell  = mesh.particle_cells()[face.cell];
-            const unsigned int from = cell[(face.opposite + 1) % 3], to = cell[(face.opposite + 2) % 3];
-            links[from][1] = (links[from][1] == none ? to : ambiguous);
-            links[to][0]   = (links[to][0] == none ? from : ambiguous);
+            const Simplex<2> &cell = mesh.particle_cells()[face.cell];
+            add(cell[(face.opposite + 1) % 3], cell[(face.opposite + 2) % 3]);
           }
+    }
+
+    /// The interfaces.
+    template <int dim>
+    SurfaceChain(const std::vector<InterfaceFace<dim>> &faces, const unsigned int n_particles)
+      : links(dim == 2 ? n_particles : 0, {{none, none}})
+    {
+      if constexpr (dim == 2)
+        for (const InterfaceFace<2> &face : faces)
+          add(face.corners[0], face.corners[1]);
     }
 
     /**
@@ -50,6 +62,12 @@ namespace Lahar
     }
 
   private:
+    void add(const unsigned int from, const unsigned int to)
+    {
+      links[from][1] = (links[from][1] == none ? to : ambiguous);
+      links[to][0]   = (links[to][0] == none ? from : ambiguous);
+    }
+
     static constexpr unsigned int none = -1, ambiguous = -2;
     std::vector<std::array<unsigned, 2>> links;
   };
@@ -58,8 +76,13 @@ namespace Lahar
 
   namespace
   {
-    /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface.
+    /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface; so does a
+    /// particle of the free surface or of a wall to one on an interface, and of two sheets of interfaces one to the other.
     constexpr double surface_to_wall = 0.3;
+
+    /// What is on an interface is above all that is not.
+    template <int dim>
+    constexpr unsigned int interface_rank = 2 * (dim + 1);
 
     /// A particle nearer than this times h to a wall that carries particles gives way.
     constexpr double smallest_gap = 0.1;
@@ -90,6 +113,26 @@ namespace Lahar
       sort_in_buckets(edges, n_particles, [](const Edge &edge) { return edge.first; });
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       return edges;
+    }
+
+    /// Whether a point lies in the smallest ball with the face's corners on its surface (one through all of them).
+    template <int dim>
+    bool is_in_smallest_ball(const std::array<unsigned int, dim> &face, const Point<dim> &point,
+                             const ParticleCloud<dim> &cloud)
+    {
+      const Tensor<1, dim> a   = cloud.position[face[1]] - cloud.position[face[0]];
+      Tensor<1, dim> to_centre = 0.5 * a;
+      if constexpr (dim == 3)
+      {
+        const Tensor<1, 3> b      = cloud.position[face[2]] - cloud.position[face[0]],
+                           normal = cross_product_3d(a, b);
+        if (!(normal.norm_square() > 0.))
+          return false;
+        to_centre = (a.norm_square() * cross_product_3d(b, normal) +
+                     b.norm_square() * cross_product_3d(normal, a)) /
+                    (2. * normal.norm_square());
+      }
+      return (point - cloud.position[face[0]] - to_centre).norm_square() < to_centre.norm_square();
     }
 
     /**
@@ -144,9 +187,11 @@ namespace Lahar
   template <int dim>
   std::vector<typename ParticleSpacing<dim>::Removal>
   ParticleSpacing<dim>::find_candidates(const ParticleCloud<dim> &cloud, const std::vector<Edge> &short_edges,
-                                        const std::vector<unsigned int> &rank, const SurfaceChain &chains,
+                                        const std::vector<unsigned int> &rank,
+                                        const std::array<SurfaceChain, 2> &chains,
                                         const Changes &changes) const
   {
+    constexpr unsigned int first = interface_rank<dim>;
     std::vector<Removal> result;
     for (const Edge &edge : short_edges)
     {
@@ -162,16 +207,25 @@ namespace Lahar
         if (rank[fluid] == 0 || length < surface_to_wall * shortest)
           result.push_back({fluid, {}, {}, {}});
       }
-      else if (rank[a] != rank[b] || rank[b] == 0 ||
-               (rank[b] <= dim && cloud.contact_facets[a] == cloud.contact_facets[b]))
+      else if ((rank[a] >= first) != (rank[b] >= first) && rank[inside] > 0)
+      {
+        if (length < surface_to_wall * shortest)
+          result.push_back({inside, {}, {inside == a ? b : a}, {}});
+      }
+      else if (rank[a] != rank[b] || rank[b] == 0 || (dim == 3 && rank[b] == first) ||
+               (rank[b] % first > 0 && rank[b] % first <= dim &&
+                cloud.contact_facets[a] == cloud.contact_facets[b]))
         result.push_back({inside, {}, {inside == a ? b : a}, {}});
       else if constexpr (dim == 2)
-        if (rank[b] == dim + 1)
+        if (rank[b] % first == dim + 1 || rank[b] == first)
         {
-          const std::vector<unsigned int> chain = chains.around(edge, changes.removed);
+          const std::vector<unsigned int> chain = chains[rank[b] == first ? 1 : 0].around(edge,
+                                                                                          changes.removed);
           Point<2> place;
           if (!chain.empty() && find_merged_place(chain, cloud, place))
             result.push_back({b, {a}, {chain[0], chain[3]}, place});
+          else if (rank[b] >= first && length < surface_to_wall * shortest)
+            result.push_back({b, {}, {a}, {}});
         }
     }
     return result;
@@ -194,7 +248,10 @@ namespace Lahar
       rank[i] = on_surface[i] ? dim + 1 : 0;
       for (const int facet : cloud.contact_facets[i])
         rank[i] += (facet != ParticleCloud<dim>::no_facet);
+      if (cloud.kind[i] == ParticleKind::fluid && has_several(cloud.part[i]))
+        rank[i] += interface_rank<dim>;
     }
+    const std::vector<InterfaceFace<dim>> interfaces = find_interface_faces(mesh);
     Changes changes{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
     // What goes hands its volume on to a fluid particle that is not at the wall itself; drops without one stay.
     std::vector<double> at_wall(n, 0.);
@@ -210,6 +267,11 @@ namespace Lahar
     for (const unsigned int i : mesh.particles())
       if (cloud.kind[i] == ParticleKind::fluid && at_wall[i] * has_heir[i] > 0.)
         changes.removed[i] = 1.;
+    for (const InterfaceFace<dim> &face : interfaces)
+      for (const unsigned int i : face.opposite)
+        if (cloud.kind[i] == ParticleKind::fluid && rank[i] == 0 && has_heir[i] > 0. &&
+            is_in_smallest_ball<dim>(face.corners, cloud.position[i], cloud))
+          changes.removed[i] = 1.;
     migration.update(has_heir);
     migration.update(changes.removed);
 
@@ -221,7 +283,7 @@ namespace Lahar
             0.5 * shortest * (cloud.spacing[a] + cloud.spacing[b]))
         short_edges.emplace_back(a, b);
 
-    const SurfaceChain chains(mesh, n);
+    const std::array<SurfaceChain, 2> chains = {{SurfaceChain(mesh, n), SurfaceChain(interfaces, n)}};
     for (bool any_news = true; any_news;)
     {
       // The first removals that change each particle, and that need it as it is.
@@ -253,6 +315,11 @@ namespace Lahar
           news[0] = 1;
         if (!removal.moved.empty())
           news[1] = 1;
+        // The particle of one fluid stands for that of another one, too.
+        for (const std::vector<unsigned int> *left : {&removal.moved, &removal.needed})
+          if (left->size() == 1 && cloud.kind[left->front()] == ParticleKind::fluid &&
+              cloud.kind[b] == ParticleKind::fluid && are_apart(cloud.part[left->front()], cloud.part[b]))
+            cloud.part[left->front()] |= cloud.part[b];
         for (const unsigned int a : removal.moved)
         {
           changes.merged[a]                 = 1.;
@@ -311,7 +378,7 @@ namespace Lahar
       return false;
 
     const unsigned int n_old = cloud.size();
-    insert(inserted, migration, cloud);
+    insert(inserted, mesh, migration, cloud);
     removed.resize(cloud.size(), false);
     std::vector<unsigned int> new_index = cloud.remove(removed);
     new_index.resize(n_old);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/remeshing/cell_fluid.h>
+#include <lahar/remeshing/interface_segments.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/volume_correction.h>
@@ -59,8 +62,8 @@ namespace Lahar
   template <int dim>
   std::vector<Simplex<dim>>
   Remesher<dim>::own_candidates(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
-                                const std::vector<Facet> &solid_facets, const Migration<dim> &migration,
-                                unsigned int &n_forced) const
+                                const std::vector<Facet> &solid_facets, const Interfaces &interfaces,
+                                const Migration<dim> &migration, unsigned int &n_forced) const
   {
     std::vector<bool> own(cloud.size(), false);
     double largest_spacing = 0.;
@@ -82,13 +85,16 @@ namespace Lahar
       std::vector<Facet> segments = solid_facets;
       for (const Facet &segment : find_wall_segments(cloud, walls, 2. * reach))
         segments.push_back(segment);
+      const unsigned int n_required = segments.size();
+      for (const Facet &segment : interfaces(reach, segments))
+        segments.push_back(segment);
       // All ranks take the same way: each waits for what the others ask of it.
       if (migration.is_alone() ? !segments.empty()
                                : Utilities::MPI::max(segments.size(), migration.communicator()) > 0)
       {
         std::vector<bool> forced;
         const auto candidates = local_constrained_delaunay({cloud, own, reach, is_own_candidate, migration},
-                                                           segments, forced);
+                                                           segments, n_required, forced);
         for (unsigned int f = 0; f < solid_facets.size(); ++f)
           n_forced += (forced[f] && cloud.is_own(solid_facets[f][0]));
         return candidates;
@@ -106,7 +112,8 @@ namespace Lahar
   {
     unsigned int n_forced;
     std::vector<Simplex<dim>> cells;
-    for (const Simplex<dim> &simplex : own_candidates(cloud, walls, solid_facets, migration, n_forced))
+    const Interfaces none = [](const double, const std::vector<Facet> &) { return std::vector<Facet>(); };
+    for (const Simplex<dim> &simplex : own_candidates(cloud, walls, solid_facets, none, migration, n_forced))
       if (region(simplex, cloud) && alpha_shape.accepts_first(simplex, cloud, walls))
         cells.push_back(simplex);
     mesh.reinit(cloud, cells);
@@ -121,7 +128,26 @@ namespace Lahar
     if (dim == 2)
       return false;
     OldDomain<dim> old_domain(cloud, mesh);
-    return particle_spacing.adapt(cloud, walls, mesh, old_domain, migration);
+    return adapt_spacing(cloud, walls, mesh, old_domain, migration);
+  }
+
+
+
+  template <int dim>
+  bool Remesher<dim>::adapt_spacing(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
+                                    const FluidMesh<dim> &mesh, OldDomain<dim> &old_domain,
+                                    Migration<dim> &migration) const
+  {
+    const bool changed = particle_spacing.adapt(cloud, walls, mesh, old_domain, migration);
+    if (n_fluids > 1 && !migration.is_alone())
+    {
+      // A copy's cells may be incomplete at the rim of this rank's region.
+      std::vector<double> parts(cloud.part.begin(), cloud.part.end());
+      migration.update(parts);
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+        cloud.part[i] = static_cast<unsigned int>(parts[i]);
+    }
+    return changed;
   }
 
 
@@ -134,25 +160,39 @@ namespace Lahar
   {
     Report report;
     OldDomain<dim> old_domain(cloud, mesh);
-    particle_spacing.adapt(cloud, walls, mesh, old_domain, migration);
+    const auto faces = dim == 2 ? find_interface_faces(mesh) : std::vector<InterfaceFace<dim>>();
+    adapt_spacing(cloud, walls, mesh, old_domain, migration);
+    const Interfaces interfaces = [&](const double reach, const std::vector<Facet> &segments) {
+      if constexpr (dim == 2)
+        if (!faces.empty())
+          return find_interface_segments(faces, old_domain, cloud, reach, segments);
+      return std::vector<Facet>();
+    };
 
-    std::vector<typename Migration<dim>::MarkedCell> own_cells; // by whether they were no fluid before
-    for (const Simplex<dim> &simplex : own_candidates(cloud, walls, solid_facets, migration, report.n_forced))
+    std::vector<typename Migration<dim>::MarkedCell> own_cells;
+    for (const Simplex<dim> &simplex :
+         own_candidates(cloud, walls, solid_facets, interfaces, migration, report.n_forced))
     {
       const auto verdict = alpha_shape.judge(simplex, cloud, walls, old_domain, time_step);
       if (verdict != AlphaShape<dim>::Verdict::no_fluid)
-        own_cells.emplace_back(simplex, verdict == AlphaShape<dim>::Verdict::becomes_fluid);
+        own_cells.push_back(
+          {simplex, verdict == AlphaShape<dim>::Verdict::becomes_fluid,
+           fluid_of_cell<dim>(simplex, cloud, [&] {
+             return old_domain.fluid_at(simplex, centroid<dim>(corners_of<dim>(simplex, cloud.position)));
+           })});
     }
     std::vector<Simplex<dim>> cells;
+    std::vector<unsigned int> fluids;
     std::vector<bool> arriving(cloud.size(), false);
-    for (const auto &[cell, is_new] : migration.collect_cells(cloud, own_cells))
+    for (const auto &[cell, is_new, fluid] : migration.collect_cells(cloud, own_cells))
     {
       cells.push_back(cell);
+      fluids.push_back(fluid);
       if (is_new)
         for (const unsigned int particle : cell)
           arriving[particle] = true;
     }
-    report.changed = mesh.reinit(cloud, cells);
+    report.changed = mesh.reinit(cloud, cells, fluids);
     if (!migration.is_alone())
       report.changed = Utilities::MPI::max(report.changed ? 1U : 0U, migration.communicator()) == 1U;
     if (keep_volume && (report.changed || VolumeCorrection<dim>::is_any_owed(cloud, migration)))

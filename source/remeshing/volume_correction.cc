@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/symmetry.h>
+#include <lahar/particles/fluid_set.h>
 #include <lahar/remeshing/connected_parts.h>
 #include <lahar/remeshing/volume_correction.h>
 
@@ -90,37 +91,35 @@ namespace Lahar
 
 
 
-  namespace
+  template <int dim>
+  void VolumeCorrection<dim>::keep_cells(const FluidMesh<dim> &mesh,
+                                         const std::vector<Point<dim>> &old_position,
+                                         ParticleCloud<dim> &cloud, const Migration<dim> &migration)
   {
-    /// Particles of cells that would become too flat stay; then others' cells may be: until none is.
-    template <int dim>
-    void keep_cells(const FluidMesh<dim> &mesh, const std::vector<Point<dim>> &old_position,
-                    ParticleCloud<dim> &cloud, const Migration<dim> &migration)
+    // Particles of cells that would become too flat stay; then others' cells may be: until none is.
+    for (bool any = true; any;)
     {
-      for (bool any = true; any;)
-      {
-        std::vector<bool> stays(cloud.size(), false);
-        any = false;
-        for (const Simplex<dim> &cell : mesh.particle_cells())
-          if (std::any_of(cell.begin(), cell.end(),
-                          [&](const unsigned int i) { return cloud.position[i] != old_position[i]; }) &&
-              !(signed_volume<dim>(corners_of<dim>(cell, cloud.position)) >
-                smallest_part * signed_volume<dim>(corners_of<dim>(cell, old_position))))
-            for (const unsigned int i : cell)
-              stays[i] = true;
-        for (unsigned int i = 0; i < cloud.size(); ++i)
-          if (stays[i] && cloud.is_own(i) && cloud.position[i] != old_position[i])
-          {
-            cloud.position[i] = old_position[i];
-            any               = true;
-          }
-        if (!migration.is_alone())
-          any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
-        if (any)
-          migration.update(cloud.position);
-      }
+      std::vector<bool> stays(cloud.size(), false);
+      any = false;
+      for (const Simplex<dim> &cell : mesh.particle_cells())
+        if (std::any_of(cell.begin(), cell.end(),
+                        [&](const unsigned int i) { return cloud.position[i] != old_position[i]; }) &&
+            !(signed_volume<dim>(corners_of<dim>(cell, cloud.position)) >
+              smallest_part * signed_volume<dim>(corners_of<dim>(cell, old_position))))
+          for (const unsigned int i : cell)
+            stays[i] = true;
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+        if (stays[i] && cloud.is_own(i) && cloud.position[i] != old_position[i])
+        {
+          cloud.position[i] = old_position[i];
+          any               = true;
+        }
+      if (!migration.is_alone())
+        any = Utilities::MPI::max(any ? 1U : 0U, migration.communicator()) == 1U;
+      if (any)
+        migration.update(cloud.position);
     }
-  } // namespace
+  }
 
 
 
@@ -173,16 +172,42 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    /// Call @p action with each of this rank's own isolated particles.
+    template <int dim, typename Action>
+    void for_each_isolated(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const Action &action)
+    {
+      std::vector<bool> in_mesh(cloud.size(), false);
+      for (const unsigned int i : mesh.particles())
+        in_mesh[i] = true;
+      for (unsigned int i = 0; i < cloud.size(); ++i)
+        if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid && cloud.is_own(i))
+          action(i);
+    }
+  } // namespace
+
+
+
   template <int dim>
   double VolumeCorrection<dim>::carried_volume(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
   {
-    std::vector<bool> in_mesh(cloud.size(), false);
-    for (const unsigned int i : mesh.particles())
-      in_mesh[i] = true;
     double carried = 0.;
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid && cloud.is_own(i))
-        carried -= cloud.owed_volume[i];
+    for_each_isolated(mesh, cloud, [&](const unsigned int i) { carried -= cloud.owed_volume[i]; });
+    return carried;
+  }
+
+
+
+  template <int dim>
+  std::vector<double> VolumeCorrection<dim>::carried_volumes(const FluidMesh<dim> &mesh,
+                                                             const ParticleCloud<dim> &cloud,
+                                                             const unsigned int n_fluids)
+  {
+    std::vector<double> carried(n_fluids, 0.);
+    for_each_isolated(mesh, cloud, [&](const unsigned int i) {
+      carried[first_fluid(cloud.part[i])] -= cloud.owed_volume[i];
+    });
     return carried;
   }
 

@@ -26,7 +26,7 @@ namespace Lahar
         checkpoint.fail("has solids of another mesh", "the mesh files of the run");
       solids.accept(solid_state);
     }
-    archive &time &counters &account.volume &account.momentum;
+    archive &time &counters &account.volume &account.fluids &account.momentum;
     archive &*step_control &output;
   }
 
@@ -50,7 +50,7 @@ namespace Lahar
   template <int dim>
   std::string Simulator<dim>::save_piece() const
   {
-    // The own cells, their corners, the own particles, and values of the own cells.
+    // The own cells with their fluids, their corners, the own particles, and values of the own cells.
     std::vector<bool> is_saved(particles.size(), false);
     std::vector<std::uint64_t> cells, keys;
     std::vector<double> values;
@@ -62,6 +62,7 @@ namespace Lahar
           is_saved[i] = true;
           cells.push_back(particles.number[i]);
         }
+        cells.push_back(fluid_mesh.fluid(c));
         if (!multipliers.values().empty())
           CellTable<dim>::append(CellTable<dim>::key(cell, particles), multipliers.values()[c], keys, values);
       }
@@ -115,10 +116,16 @@ namespace Lahar
       records.back().back() = n_ranks;
     }
     particles.reinit(std::move(records));
-    std::vector<Simplex<dim>> cells(numbers.size() / (dim + 1));
-    for (unsigned int k = 0; k < numbers.size(); ++k)
-      cells[k / (dim + 1)][k % (dim + 1)] = particles.find(numbers[k]);
-    fluid_mesh.reinit(particles, cells);
+    std::vector<Simplex<dim>> cells;
+    std::vector<unsigned int> fluids;
+    for (auto number = numbers.begin(); number != numbers.end(); number += dim + 2)
+    {
+      cells.emplace_back();
+      for (unsigned int c = 0; c <= dim; ++c)
+        cells.back()[c] = particles.find(number[c]);
+      fluids.push_back(number[dim + 1]);
+    }
+    fluid_mesh.reinit(particles, cells, fluids);
     multipliers.table().sort();
     migrate();
     if (has_multipliers())

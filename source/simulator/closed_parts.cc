@@ -30,6 +30,7 @@ namespace Lahar
   template <int dim>
   void ClosedParts<dim>::fix_levels(const std::vector<Simplex<dim>> &cells,
                                     const std::vector<Point<dim>> &positions, const NodePartition &partition,
+                                    const std::vector<bool> &is_compressible,
                                     std::vector<NodeConstraint<dim>> &constraints)
   {
     const unsigned int n_nodes = constraints.size();
@@ -57,7 +58,7 @@ namespace Lahar
       // The frames of walls that move have their normals at the end of the step.
       const double tolerance = constraints[i].moves ? turning : rounding;
       gives_way[i]           = (constraints[i].n_fixed < dim && free_part.norm() > tolerance * size[i]) ||
-                         constraints[i].fixed_pressure
+                         constraints[i].fixed_pressure || is_compressible[i]
                                  ? 1.
                                  : 0.;
     }

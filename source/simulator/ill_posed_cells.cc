@@ -18,15 +18,17 @@ namespace Lahar
   template <int dim>
   void IllPosedCells<dim>::add(const Snapshot<dim> &snapshot)
   {
-    if (!snapshot.law.may_be_ill_posed())
+    if (!snapshot.materials.may_be_ill_posed())
       return;
     const auto &cells = snapshot.mesh.particle_cells();
     for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
       const double rate = cell.strain_rate, pressure = cell.confining_pressure();
-      if (!snapshot.cloud.is_own(cells[c]) || pressure == 0. || !snapshot.law.is_yielded(rate, pressure))
+      const FluidLaw &law = snapshot.law(c);
+      if (!law.may_be_ill_posed() || !snapshot.cloud.is_own(cells[c]) || pressure == 0. ||
+          !law.is_yielded(rate, pressure))
         return;
       ++n_flowing;
-      n_ill_posed += !snapshot.law.is_well_posed(rate, pressure);
+      n_ill_posed += !law.is_well_posed(rate, pressure);
     });
   }
 

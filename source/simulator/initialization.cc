@@ -63,6 +63,8 @@ namespace Lahar
     time = input.run.start_time;
     remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
     account.volume.begin(fluid_volume());
+    if (materials.n_fluids() > 1)
+      account.fluids.begin(input.geometry.fluid_names(), fluid_volumes());
     account.momentum.set(fluid_momentum());
     output.initialize(snapshot());
     warn_of_coarse_mesh();
@@ -80,10 +82,14 @@ namespace Lahar
       if (n_rounds > 0 &&
           !remesher.adapt_first_particles(particles, obstacles(contour), fluid_mesh, migration))
         break;
+      if (materials.n_fluids() > 1)
+        input.geometry.put_on_interfaces(particles);
       try
       {
         remesher.create_mesh(particles, obstacles(contour), contour.facets(), input.geometry.region(),
                              migration, fluid_mesh);
+        if (materials.n_fluids() > 1)
+          fluid_mesh.set_cell_fluids(input.geometry.cell_fluids(fluid_mesh, particles));
       }
       catch (const RunError &error)
       {

@@ -7,19 +7,20 @@ namespace Lahar
 {
   template <int dim>
   Tensor<1, dim> MomentumAccount<dim>::compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                               const double density, const MPI_Comm &communicator) const
+                                               const Materials &materials, const MPI_Comm &communicator) const
   {
     Tensor<1, dim> momentum;
-    for (const Simplex<dim> &cell : mesh.particle_cells())
-      if (cloud.is_own(cell))
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if (const Simplex<dim> &cell = mesh.particle_cells()[c]; cloud.is_own(cell))
       {
-        const auto corners = corners_of<dim>(cell, cloud.position);
+        const double density = materials.law(mesh.fluid(c)).density();
+        const auto corners   = corners_of<dim>(cell, cloud.position);
         if (Symmetry::applies<dim>())
         {
           const auto shares = body_volume_shares<dim>(corners);
-          for (unsigned int c = 0; c <= dim; ++c)
-            momentum += density * shares[c] *
-                        (cloud.velocity[cell[c]] - carried_time * cloud.algorithmic_acceleration[cell[c]]);
+          for (unsigned int I = 0; I <= dim; ++I)
+            momentum += density * shares[I] *
+                        (cloud.velocity[cell[I]] - carried_time * cloud.algorithmic_acceleration[cell[I]]);
           continue;
         }
         Tensor<1, dim> sum;

@@ -92,7 +92,7 @@ namespace Lahar
   template <int dim>
   ViscosityLinearization NonlinearScheme<dim>::viscosity_linearization(const StepProblem<dim> &problem) const
   {
-    return viscosity == ViscosityLinearization::primal_dual && !problem.law().has_yield_stress()
+    return viscosity == ViscosityLinearization::primal_dual && !problem.fluids().any_yields()
              ? ViscosityLinearization::newton
              : viscosity;
   }
@@ -132,9 +132,9 @@ namespace Lahar
         throw RunError(reason.str());
       }
       report.n_held = problem.n_held();
-      if (problem.law().has_exact_yield_stress())
+      if (problem.fluids().any_exact_yield_stress())
         problem.update_multipliers();
-      else if (problem.law().has_yield_stress())
+      else if (problem.fluids().any_yields())
         find_yield_gap(problem, report);
     }
     catch (const RunError &error)
@@ -189,7 +189,7 @@ namespace Lahar
     report.velocity_increment = problem.velocity_increment();
     report.pressure_increment = problem.pressure_increment();
     report.is_settled         = problem.is_settled();
-    const bool is_exact       = problem.law().has_exact_yield_stress();
+    const bool is_exact       = problem.fluids().any_exact_yield_stress();
     if (is_exact)
       find_yield_gap(problem, report);
     if (is_converged(problem, report))

@@ -30,8 +30,8 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh, input.geometry.law(), input.gravity, solids,
-            walls,     migration,  output.means(),       time,          &multipliers.table()};
+    return {particles, fluid_mesh, materials,      input.gravity, solids,
+            walls,     migration,  output.means(), time,          &multipliers.table()};
   }
 
 
@@ -50,7 +50,7 @@ namespace Lahar
     add_to_column(line, "Mass residual (m^dim/s)", report.mass_residual);
     line.add_value("Linear iterations", report.linear_iterations);
     line.add_value("Held vertices", report.n_held);
-    if (input.geometry.has_fluid() && input.geometry.law().has_yield_stress())
+    if (input.geometry.has_fluid() && materials.any_yields())
     {
       add_to_column(line, "Yield gap (W)", report.yield_gap);
       add_to_column(line, "Relative yield gap", report.relative_yield_gap);
@@ -59,6 +59,7 @@ namespace Lahar
     line.add_value("Solid cells", solids.mesh().n_cells());
     line.add_value("Fluid particles", count_on_ranks(particles.n_particles(ParticleKind::fluid)));
     account.volume.add_columns(line);
+    account.fluids.add_columns(line);
     line.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
     line.add_value("Rejected steps", counters.rejected);
     if (!solids.empty())

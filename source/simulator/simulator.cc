@@ -3,6 +3,7 @@
 #include <lahar/boundary/free_flight.h>
 #include <lahar/boundary/solid_collision.h>
 #include <lahar/boundary/wall_contact.h>
+#include <lahar/remeshing/interface_correction.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
@@ -43,13 +44,15 @@ namespace Lahar
   {
     solids.parse_parameters(prm, structure.solids);
     input.parse_parameters(prm, structure);
+    materials = input.geometry.materials();
     time_integration.parse_parameters(prm);
     remesher.parse_parameters(prm);
+    remesher.set_number_of_fluids(materials.n_fluids());
     scheme       = NonlinearScheme<dim>::create(prm);
     step_control = std::make_unique<StepControl>(input.run.time_step, input.run.minimum_time_step,
                                                  input.run.maximum_time_step, scheme->max_iterations());
     problem.parse_parameters(prm);
-    if (input.geometry.law().has_exact_yield_stress() && !problem.projects_residual())
+    if (materials.any_exact_yield_stress() && !problem.projects_residual())
     {
       prm.enter_subsection("Stabilization");
       prm.throw_wrong_value("Form",
@@ -106,24 +109,6 @@ namespace Lahar
 
 
   template <int dim>
-  double Simulator<dim>::fluid_volume() const
-  {
-    return sum_of_ranks(fluid_mesh.volume(particles) +
-                        VolumeCorrection<dim>::carried_volume(fluid_mesh, particles) +
-                        inlets.layer_volume(particles, fluid_mesh));
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim> Simulator<dim>::fluid_momentum() const
-  {
-    return account.momentum.compute(fluid_mesh, particles, input.geometry.law().density(), communicator());
-  }
-
-
-
-  template <int dim>
   unsigned int Simulator<dim>::count_on_ranks(const unsigned int n) const
   {
     return Utilities::MPI::sum(n, communicator());
@@ -147,7 +132,7 @@ namespace Lahar
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
         inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
         problem.start_step(
-          {fluid_mesh, particles, solids, migration, input.geometry.law(), input.gravity, time_integration,
+          {fluid_mesh, particles, solids, migration, materials, input.gravity, time_integration,
            time + time_step, constraints(*wall_step), remeshing.arrives,
            SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws()),
            multipliers.values()});
@@ -197,6 +182,7 @@ namespace Lahar
     {
       counters.left += n_dropped;
       account.volume.left(fluid_volume());
+      account.fluids.left(fluid_volumes());
       account.momentum.set(fluid_momentum());
     }
     migrate();
@@ -220,6 +206,13 @@ namespace Lahar
       inlets.owe_layers(layers, fluid_mesh, migration, particles);
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
     account.volume.remeshed(fluid_volume());
+    account.fluids.remeshed(fluid_volumes());
+    if (materials.n_fluids() > 1 && remesher.keeps_volume())
+    {
+      InterfaceCorrection<dim>::apply(account.fluids.excess(), obstacles(contour), fluid_mesh, particles,
+                                      migration);
+      account.fluids.corrected(fluid_volumes());
+    }
     account.momentum.changed(fluid_momentum());
     if (count_on_ranks(fluid_mesh.n_cells()) == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
@@ -235,6 +228,7 @@ namespace Lahar
     {
       counters.gone_out += n_dropped;
       account.volume.went_out(fluid_volume());
+      account.fluids.went_out(fluid_volumes());
       account.momentum.went_out(fluid_momentum());
     }
     if (inlets.renew(walls, communicator(), particles, fluid_mesh) > 0)
@@ -289,6 +283,7 @@ namespace Lahar
     if (input.geometry.has_fluid())
     {
       account.volume.solved(fluid_volume(), inlets.volume());
+      account.fluids.solved(fluid_volumes(), inflow_volumes());
       account.momentum.start_step(time_integration.carried_time());
       account.momentum.set(fluid_momentum());
     }

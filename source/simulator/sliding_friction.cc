@@ -2,6 +2,8 @@
 
 #include <lahar/simulator/sliding_friction.h>
 
+#include <lahar/particles/fluid_set.h>
+
 #include <algorithm>
 #include <map>
 
@@ -21,7 +23,7 @@ namespace Lahar
   template <int dim>
   void SlidingFriction<dim>::start_step(const std::vector<SlidingContact<dim>> &found,
                                         const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                        const FluidLaw &law, const double time_step,
+                                        const Materials &materials, const double time_step,
                                         const NodePartition &partition)
   {
     n_iterations = 0;
@@ -47,6 +49,8 @@ namespace Lahar
         state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
                               cloud.pressure[particle];
       contacts.push_back({contact, node, state, is_main});
+      const bool is_fluid = cloud.kind[particle] == ParticleKind::fluid;
+      const FluidLaw &law = materials.law(is_fluid ? first_fluid(cloud.part[particle]) : 0);
       contacts.back().at.stiffness =
         inertia_factor * law.density() * h / time_step +
         viscosity_factor * law.viscous_part(1. / time_step, std::max(-cloud.pressure[particle], 0.)).value /

@@ -11,7 +11,7 @@ namespace Lahar
   void StepProblem<dim>::start_step(const Start &start)
   {
     region_mesh      = &start.mesh;
-    fluid_law        = &start.law;
+    materials        = start.materials;
     gravity          = start.gravity;
     time_integration = start.time_integration;
     solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
@@ -35,22 +35,22 @@ namespace Lahar
       spacing += start.cloud.spacing[mesh->particle(v)];
     mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
                    std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
-    friction.start_step(start.sliding, *region_mesh, start.cloud, start.law, start.time_integration.length(),
-                        system.partition());
+    friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
+                        start.time_integration.length(), system.partition());
     held_vertices.start_step(can_be_held);
     crushed_cells.start_step(mesh->n_cells());
     velocity_change.assign(constraints.size(), Tensor<1, dim>());
     pressure_change.assign(mesh->n_vertices(), 0.);
 
-    if (start.law.has_exact_yield_stress())
+    if (materials.any_exact_yield_stress())
       start_multipliers(start.multipliers);
-    assembler.set_stabilization(*mesh, start.law, gravity, fluid.state);
+    assembler.set_stabilization(*mesh, materials, gravity, fluid.state);
     // There is no pressure yet: the residual is the weight, not the divergence of a stress.
     if (time_integration.is_first_step())
-      fluid.state.residual_projection.assign(mesh->n_vertices(), Tensor<1, dim>());
-    update_vertices(fluid.state.residual_projection);
-    if (start.law.has_yield_stress())
-      assembler.start_plastic_dual(*mesh, start.law, fluid.state);
+      fluid.state.residual_projection.assign(materials.n_fluids() * mesh->n_vertices(), Tensor<1, dim>());
+    update_by_fluid(fluid.state.residual_projection);
+    if (materials.any_yields())
+      assembler.start_plastic_dual(*mesh, materials, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (unsigned int node = 0; node < constraints.size(); ++node)
       if (const NodeConstraint<dim> &prescribed = constraints[node]; prescribed.moves)
@@ -217,10 +217,38 @@ namespace Lahar
   void StepProblem<dim>::fix_pressures()
   {
     fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
-    if (fluid_law->compressibility() == 0.)
+    if (materials.any_incompressible())
       closed_parts.fix_levels(system.cells_by_local_number(), start_position, system.partition(),
-                              constraints);
+                              compressible_nodes(), constraints);
     system.set_constraints(constraints);
+  }
+
+
+
+  template <int dim>
+  std::vector<bool> StepProblem<dim>::compressible_nodes() const
+  {
+    std::vector<bool> result(constraints.size(), false);
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (materials.law(mesh->fluid(c)).compressibility() > 0.)
+        for (const unsigned int v : mesh->cells()[c])
+          result[system.local_number(v)] = true;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::update_by_fluid(std::vector<Tensor<1, dim>> &values) const
+  {
+    const unsigned int n = mesh->n_vertices();
+    for (unsigned int fluid = 0; fluid < materials.n_fluids(); ++fluid)
+    {
+      const auto begin = values.begin() + fluid * n;
+      std::vector<Tensor<1, dim>> of_fluid(begin, begin + n);
+      update_vertices(of_fluid);
+      std::copy(of_fluid.begin(), of_fluid.end(), begin);
+    }
   }
 
 

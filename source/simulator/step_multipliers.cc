@@ -52,7 +52,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::update_multipliers()
   {
-    assembler.update_multipliers(*mesh, *fluid_law, fluid.state);
+    assembler.update_multipliers(*mesh, materials, fluid.state);
   }
 
 
@@ -78,12 +78,13 @@ namespace Lahar
         *std::min_element(cell.begin(), cell.end(), [&](const unsigned int a, const unsigned int b) {
           return number[a] < number[b];
         }) < system.partition().n_own());
-    auto own                          = assembler.yield_gap(*mesh, *fluid_law, fluid.state, counted);
+    auto own                          = assembler.yield_gap(*mesh, materials, fluid.state, counted);
     const std::vector<double> volumes = fluid.new_volumes();
     const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
       if (counted[c] && !fluid.state.left_out[c])
-        own.energy += fluid_law->density() * volumes[c] * rate * standing_velocity * standing_velocity;
+        own.energy += materials.law(mesh->fluid(c)).density() * volumes[c] * rate * standing_velocity *
+                      standing_velocity;
     const double sums[2] = {own.gap, own.energy};
     double all[2];
     Utilities::MPI::sum(ArrayView<const double>(sums, 2), communicator(), ArrayView<double>(all, 2));

@@ -91,12 +91,12 @@ namespace Lahar
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
     const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
                             negligible_sound * solid.speed_of_sound() +
-                            (fluid_law->has_exact_yield_stress() ? standing_velocity : 0.)) *
+                            (materials.any_exact_yield_stress() ? standing_velocity : 0.)) *
                              std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
     velocity_norm        = std::max(std::sqrt(v), v_floor);
     mean_speed           = std::sqrt(v_end / std::max(1U, system.n_nodes()));
-    const double p_floor = negligible_acceleration * fluid_law->density() * mean_spacing /
+    const double p_floor = negligible_acceleration * materials.largest_density() * mean_spacing /
                            fluid.state.time_step * velocity_norm;
     pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});
 
@@ -119,7 +119,7 @@ namespace Lahar
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!on_all_ranks(assembler.assemble(*mesh, *fluid_law, gravity, fluid.state, linearization, system)))
+      if (!on_all_ranks(assembler.assemble(*mesh, materials, gravity, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
@@ -145,7 +145,7 @@ namespace Lahar
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
     const double v_scale = std::max(velocity_norm, gravity.norm() * fluid.state.time_step * length * 1e-3);
-    const double p_scale = std::max(pressure_norm, fluid_law->density() * v_scale * v_scale / length);
+    const double p_scale = std::max(pressure_norm, materials.largest_density() * v_scale * v_scale / length);
     const IncrementScales scales    = {v_scale, p_scale, negligible};
     const unsigned int n_iterations = in_two_steps
                                         ? linear_solver->solve_in_two_steps(system, scales, solution)
@@ -166,8 +166,8 @@ namespace Lahar
     base_velocity = node_velocities();
     base_volumes  = fluid.new_volumes();
     base_pressure = fluid.state.pressure;
-    if (fluid_law->has_yield_stress())
-      assembler.predict_plastic_dual(*mesh, *fluid_law, fluid.state, by_vertex(velocity_change), base_dual,
+    if (materials.any_yields())
+      assembler.predict_plastic_dual(*mesh, materials, fluid.state, by_vertex(velocity_change), base_dual,
                                      dual_change);
   }
 
@@ -205,7 +205,7 @@ namespace Lahar
       held_vertices.note(lengths);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       fluid.state.pressure[v] = base_pressure[v] + length * pressure_change[v];
-    if (fluid_law->has_yield_stress())
+    if (materials.any_yields())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         fluid.state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
     set_norms();

@@ -174,7 +174,7 @@ void test_parts()
   {
     const Point<2> &p = c.cloud.position[i];
     const bool fluid  = c.cloud.kind[i] == ParticleKind::fluid;
-    parts             = parts && c.cloud.part[i] == (fluid ? (p[0] > 1.5 ? 1U : 0U) : (p[1] > 2. ? 2U : 0U));
+    parts             = parts && c.cloud.part[i] == (fluid ? (p[0] > 1.5 ? 2U : 1U) : (p[1] > 2. ? 2U : 0U));
     const Tensor<1, 2> expected = fluid && p[0] > 1.5 ? Tensor<1, 2>({p[0], -2. * p[1]}) : Tensor<1, 2>();
     moves                       = moves && (c.cloud.velocity[i] - expected).norm() < 1e-12;
   }
@@ -193,8 +193,11 @@ void test_parts()
   check("messages call walls by their boundary", geometry.wall_name(1) == "'floor'" &&
                                                    geometry.wall_name(2) == "number 1 of 'sides'" &&
                                                    geometry.wall_name(3) == "number 2 of 'sides'");
-  right.further = {{"Law", "Newtonian"}};
-  check_error("two laws", {left, right}, {"'Fluids/right/Law'", "Newtonian", "one law", "'left'"});
+  right.further                = {{"Law", "Newtonian"}};
+  const InitialGeometry<2> two = make_geometry<2>({left, right});
+  check("each fluid has its law", two.materials().n_fluids() == 2 &&
+                                    two.materials().law(0).yield_stress() > 0. &&
+                                    two.materials().law(1).yield_stress() == 0.);
   right.of_shape = {{"Corners", "0.5, 0 : 3, 0 : 3, 1 : 2, 1"}};
   right.further  = {};
   check_error("overlapping fluids", {left, right}, {"Fluid 'left' overlaps fluid 'right'"});

@@ -47,10 +47,12 @@ def test_names():
         return TOP + parts("Fluids", {"left": shape("box", "Corners = 0, 0 : 0.1, 0.1"),
                                       "right": shape("box", "Corners = 0.3, 0 : 0.4, 0.1") + "\n".join(entries)})
 
-    refused("fluids of different laws", ["'Fluids/right/Law'", "Newtonian", "one law", "'left'"],
-            text=two_fluids("set Law = Newtonian"))
-    refused("fluids of one law with different entries", ["'Fluids/right/Law'", "one law", "'Bingham/Density'", "'left'"],
-            text=two_fluids(section("Bingham", "set Density = 900")))
+    refused("a wrong law of the second fluid", ["'Fluids/right/Law'", "'Oldroyd'", "Allowed: ", "Newtonian"],
+            text=two_fluids("set Law = Oldroyd"))
+    refused("a wrong density of the second fluid", ["'Fluids/right/Bingham/Density'", "'-900'", "Allowed: "],
+            text=two_fluids(section("Bingham", "set Density = -900")))
+    refused("too many fluids", ["'Fluids'", "31 names", "at most 30"], text=TOP + parts("Fluids", {
+        "fluid %d" % i: shape("box", "Corners = %d, 0 : %d.5, 1" % (i, i)) for i in range(31)}))
     refused("fluids that overlap", ["Fluid 'a' overlaps fluid 'b' at"], text=TOP + parts("Fluids", {
         "a": shape("box", "Corners = 0, 0 : 0.2, 0.2"), "b": shape("box", "Corners = 0.1, 0.1 : 0.3, 0.3")}))
     refused("fluid over one of two boundaries", ["Fluid 'fluid' overlaps boundary 'gate' at"], text=TOP + COLUMN + parts(
@@ -59,7 +61,10 @@ def test_names():
         text = two_fluids("set Initial velocity = 1; 0", section("Newtonian", "set Density = 900")) + again.replace(
             "fluid", "left")
         result = run(directory, "case.prm", "--check", text=text)
-        check("fluids of one law are taken, whatever another law's entries are", result.returncode == 0, result.stderr)
+        check("fluids of one law are taken", result.returncode == 0, result.stderr)
+        text = two_fluids("set Law = Newtonian", section("Newtonian", "set Density = 900")) + again.replace("fluid", "left")
+        result = run(directory, "case.prm", "--check", text=text)
+        check("fluids of two laws are taken", result.returncode == 0, result.stderr)
         result = run(directory, "case.prm", "--check", text=TOP + parts("Fluids", {
             "Wasser 2.0_a-b": shape("box", "Corners = 0, 0 : 0.1, 0.1"), "Öl": shape("box", "Corners = 1, 0 : 2, 1")}))
         check("names of letters, digits, blanks and -_. are taken", result.returncode == 0, result.stderr)

@@ -7,6 +7,7 @@
 #include <lahar/assembly/stabilization.h>
 #include <lahar/assembly/terms.h>
 #include <lahar/linear/block_system.h>
+#include <lahar/material/materials.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/utilities/parameters.h>
 
@@ -35,7 +36,8 @@ namespace Lahar
     void parse_parameters(Parameters &prm);
 
     /**
-     * Set τ_s of all cells for a step, and π of its start, see ResidualProjection. No cell is left out.
+     * Set τ_s of all cells for a step, and π of its start, see ResidualProjection, for each fluid from its own cells: q
+     * jumps where the density does. No cell is left out.
      *
      *   τ(μ) = (8 μ/h² + 2 ρ/Δt)^{-1},   τ_s = min(τ(min(μ_eff, μ_limit)), max(τ(μ_eff), 4 |v|/(ρ|g|))),
      *
@@ -48,8 +50,8 @@ namespace Lahar
      * the cell's own ∇p + ρ g of the start of the step: pressures that carry fluid at rest stay as they are, and nothing
      * drives it.
      */
-    void set_stabilization(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
-                           FluidState<dim> &state) const;
+    void set_stabilization(const FluidMesh<dim> &mesh, const Materials &materials,
+                           const Tensor<1, dim> &gravity, FluidState<dim> &state) const;
 
     /// Whether the stabilisation has a projection, see ResidualProjection.
     bool projects_residual() const
@@ -58,19 +60,21 @@ namespace Lahar
     }
 
     /// Set Λ = 2 f e' of all cells from the present velocities, see FluidCell::plastic_rate().
-    void start_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+    void start_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
+                            FluidState<dim> &state) const;
 
     /**
      * How Λ follows the mean velocities when they change by α times @p increment (by vertex) from the present state:
      * Λ(α) = base + α slope, base = 2 e'/ψ, slope = [2 δd' − ψ' (2 e':δd'/ε̇) Λ̂]/ψ, see FluidCell::plastic_rate().
      */
-    void predict_plastic_dual(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
-                              const std::vector<Tensor<1, dim>> &increment,
+    void predict_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
+                              const FluidState<dim> &state, const std::vector<Tensor<1, dim>> &increment,
                               std::vector<SymmetricTensor<2, dim>> &base,
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
 
     /// Of a yield stress that is exact: Λ_k becomes P(Λ_k + 2 r d') of the present velocities, see ExactPlasticStress.
-    void update_multipliers(const FluidMesh<dim> &mesh, const FluidLaw &law, FluidState<dim> &state) const;
+    void update_multipliers(const FluidMesh<dim> &mesh, const Materials &materials,
+                            FluidState<dim> &state) const;
 
     /**
      * G = τ0 Σ V (γ̇ − Λ:d') ≥ 0 with Λ = 2 f e', and E = ∫ ρ (∂a/∂v) |v|² + ∫ μ γ̇², sums over the @p counted cells, in W
@@ -83,13 +87,13 @@ namespace Lahar
       double gap    = 0.;
       double energy = 0.;
     };
-    YieldGap yield_gap(const FluidMesh<dim> &mesh, const FluidLaw &law, const FluidState<dim> &state,
+    YieldGap yield_gap(const FluidMesh<dim> &mesh, const Materials &materials, const FluidState<dim> &state,
                        const std::vector<bool> &counted) const;
 
     /// Assemble; the cells of @p mesh are those that this rank adds to @p system, in its order. @return whether all
     /// cells have positive volume; if not, the system is incomplete. Of cells that are left out there is the diagonal
     /// alone, of inertia and stabilisation at the start of the step: what has no other cell keeps its values.
-    bool assemble(const FluidMesh<dim> &mesh, const FluidLaw &law, const Tensor<1, dim> &gravity,
+    bool assemble(const FluidMesh<dim> &mesh, const Materials &materials, const Tensor<1, dim> &gravity,
                   const FluidState<dim> &state, const Linearization &linearization,
                   BlockSystem<dim> &system) const;
 

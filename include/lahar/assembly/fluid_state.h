@@ -34,7 +34,8 @@ namespace Lahar
     std::vector<double> pressure;
 
     std::vector<double> stabilization, stabilization_viscosity;
-    std::vector<Tensor<1, dim>> residual_projection; ///< by vertex, N/m³; see ResidualProjection
+    std::vector<Tensor<1, dim>>
+      residual_projection; ///< by vertex for the first fluid, then for the second …; N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
     std::vector<bool> sliver, left_out;
 
@@ -44,14 +45,15 @@ namespace Lahar
     std::vector<bool> stands;
     std::vector<Tensor<1, dim>> standing_projection;
 
-    /// π of a cell.
-    Tensor<1, dim> projection_of(const unsigned int c, const Simplex<dim> &vertices) const
+    /// π of a cell of the fluid of this number.
+    Tensor<1, dim> projection_of(const unsigned int c, const Simplex<dim> &vertices,
+                                 const unsigned int fluid) const
     {
       if (!stands.empty() && stands[c])
         return standing_projection[c];
       Tensor<1, dim> sum;
       for (const unsigned int v : vertices)
-        sum += residual_projection[v] / (dim + 1.);
+        sum += residual_projection[fluid * pressure.size() + v] / (dim + 1.);
       return sum;
     }
 

@@ -82,11 +82,18 @@ namespace Lahar
       return length * flux;
     }
 
+    /// The same of one fluid.
+    double volume(const unsigned int fluid) const;
+
     /// What has come in behind this rank's own particles, m^dim, by their numbers.
     std::map<std::uint64_t, double> layers(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
 
     /// The sum of these.
     double layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) const;
+
+    /// The sum of those of one fluid.
+    double layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
+                        const unsigned int fluid) const;
 
     /**
      * Let the particles owe what the layers have become larger by since they were @p before: a new mesh has left out
@@ -113,6 +120,7 @@ namespace Lahar
       std::vector<double> factor;        ///< φ of the homes
       Tensor<1, dim> direction;          ///< into the fluid
       double speed = 0.;                 ///< v/φ in the step, m/s
+      double flux  = 0.;                 ///< in the step, m^dim/s
 
       /// The home of a particle.
       unsigned int home(const Point<dim> &position) const;

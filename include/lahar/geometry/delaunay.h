@@ -82,14 +82,16 @@ namespace Lahar
   class ConstrainedDelaunay
   {
   public:
-    /// The arguments must outlive this object.
+    /// The arguments must outlive this object. The first @p n_required segments must be edges, others are left out where
+    /// they cross those before them.
     ConstrainedDelaunay(const std::vector<Point<2>> &points,
-                        const std::vector<std::array<unsigned int, 2>> &segments);
+                        const std::vector<std::array<unsigned int, 2>> &segments,
+                        const unsigned int n_required = numbers::invalid_unsigned_int);
     ~ConstrainedDelaunay();
 
     /**
      * Insert more of the points, by index, the ends of all segments with the first ones.
-     * @throws RunError if two segments cross, with the place.
+     * @throws RunError if two segments that are required cross, with the place.
      */
     void insert(const std::vector<unsigned int> &indices);
 
@@ -109,6 +111,7 @@ namespace Lahar
 
     const std::vector<Point<2>> &points;
     const std::vector<std::array<unsigned int, 2>> &segments;
+    unsigned int n_required;
     std::vector<unsigned int> inserted;
     std::vector<bool> is_forced;
     std::unique_ptr<Implementation> implementation;

@@ -11,6 +11,7 @@
 #include <lahar/geometry/narrow_gap.h>
 #include <lahar/initial/boundary.h>
 #include <lahar/initial/fluid.h>
+#include <lahar/material/materials.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/case_structure.h>
 
@@ -41,8 +42,8 @@ namespace Lahar
     /// Declare 'Largest number of particles' and the subsections "Fluids" and "Boundaries".
     static void declare_parameters(Parameters &prm, const CaseStructure &structure);
 
-    /// Read them. @throws InputError for a wrong value, an unknown file, fluids of different laws or, unless there are
-    /// solids, if there is no fluid.
+    /// Read them. @throws InputError for a wrong value, an unknown file, too many fluids or, unless there are solids, if
+    /// there is no fluid.
     void parse_parameters(Parameters &prm, const CaseStructure &structure);
 
     bool has_fluid() const
@@ -63,8 +64,17 @@ namespace Lahar
     /// 0.1 h between one of them and a wall or solid. Valid as long as this object.
     std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)> region() const;
 
-    /// The law of all fluids; of water, if there are none.
-    const FluidLaw &law() const;
+    /// The laws of the fluids, which this object has; of water, if there are none.
+    Materials materials() const;
+
+    std::vector<std::string> fluid_names() const;
+
+    /// Put particles of several fluids, which the first mesh has got between its fluids, onto these fluids' contours, where
+    /// they are near.
+    void put_on_interfaces(ParticleCloud<dim> &cloud) const;
+
+    /// The fluids of the cells of the first mesh of the particles that create() made, where there are several fluids.
+    std::vector<unsigned int> cell_fluids(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud) const;
 
     const std::vector<Boundary<dim>> &all_boundaries() const
     {
@@ -110,6 +120,11 @@ namespace Lahar
 
     /// Add the axis of rotational symmetry to the boundaries, see make_axis(). @throws InputError for fluid at x < 0
     void add_axis(Parameters &prm);
+    /// The points of all bodies; of those inside none is so near to another fluid that an interface would not be Delaunay.
+    Fillings fill_bodies(const MeshSize<dim> &h) const;
+
+    /// Where fluids touch each other, and no wall is between, their particles belong to all of them.
+    void mark_interfaces(const Walls<dim> &walls, ParticleCloud<dim> &cloud) const;
 
     /// The fluid that comes in. @throws InputError if there is none of that name.
     unsigned int fluid_number(const Inflow &inflow) const;

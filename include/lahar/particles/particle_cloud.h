@@ -54,7 +54,7 @@ namespace Lahar
       friction; ///< where it slides: the multiplier of the friction, see SlidingContact
     std::vector<ParticleKind> kind;
     std::vector<unsigned int>
-      part; ///< the number of the fluid, boundary or solid that the particle belongs to, by its kind
+      part; ///< of a fluid particle the FluidSet that it belongs to, of others the number of their boundary or solid
     std::vector<double> spacing;                      ///< wanted distance h to the next particles, m
     std::vector<std::array<int, dim>> contact_facets; ///< facets of walls on which the particle lies
     std::vector<std::uint64_t> number;                ///< identifies the particle, ascending
@@ -88,7 +88,8 @@ namespace Lahar
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
      * pressure, its rate, friction and spacing are their means; it lies on the facets that both share and
-     * belongs to the owner of @p a, and to the fluid of the first of them that is fluid. Return its index.
+     * belongs to the owner of @p a, and to the fluids that those of them share that are fluid, or else to all of theirs.
+     * Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
 

@@ -57,6 +57,12 @@ namespace Lahar
       return std::numeric_limits<unsigned int>::max();
     }
 
+    /// Whether the case has such a field; without, it is not in the files. The same on all ranks.
+    virtual bool is_there(const Snapshot<dim> & /*snapshot*/) const
+    {
+      return true;
+    }
+
     /// The values of the vertices or cells of the snapshot's mesh in its order, the components of one side by side.
     virtual Vector<double> evaluate(const Snapshot<dim> &snapshot) const = 0;
 

@@ -6,7 +6,7 @@
 #include <deal.II/base/table_handler.h>
 
 #include <lahar/geometry/walls.h>
-#include <lahar/material/fluid_law.h>
+#include <lahar/material/materials.h>
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/postprocess/time_means.h>
 #include <lahar/remeshing/fluid_mesh.h>
@@ -29,7 +29,7 @@ namespace Lahar
   {
     const ParticleCloud<dim> &cloud;
     const FluidMesh<dim> &mesh;
-    const FluidLaw &law;
+    const Materials &materials;
     const Tensor<1, dim> &gravity;
     const Solids<dim> &solids;
     const Walls<dim> &walls;
@@ -37,6 +37,12 @@ namespace Lahar
     TimeMeans &means; ///< since the last snapshot
     double time                       = 0.;
     const CellTable<dim> *multipliers = nullptr; ///< Λ of an exact yield stress, see PlasticMultipliers
+
+    /// The law of a cell of the mesh.
+    const FluidLaw &law(const unsigned int cell) const
+    {
+      return materials.law(mesh.fluid(cell));
+    }
 
     const MPI_Comm &communicator() const
     {

@@ -33,6 +33,8 @@ namespace Lahar
    * Triangulation with a P1 DoFHandler, too, whose degree of freedom i belongs to vertex i; as that takes longer than
    * the rest of a remeshing, they are made when someone asks for them.
    *
+   * Each cell belongs to one of the case's fluids.
+   *
    * On several ranks it is the mesh of the particles that this rank knows. Boundary faces at the rim of that region,
    * where cells are missing, are none of the fluid's.
    */
@@ -46,9 +48,11 @@ namespace Lahar
      * Make the mesh of the given cells (particle indices, positively oriented).
      *
      * If they are the cells that the mesh has already, only the vertices move.
+     * @param fluids numbers of the cells' fluids; empty if all are of the first one.
      * @return whether the connectivity changed.
      */
-    bool reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> cells_of_particles);
+    bool reinit(const ParticleCloud<dim> &cloud, std::vector<Simplex<dim>> cells_of_particles,
+                const std::vector<unsigned int> &fluids = {});
 
     /**
      * Make this a part of the mesh @p whole: some of its @p cells, ascending, and their @p vertices in this order. The
@@ -103,6 +107,21 @@ namespace Lahar
       return cells_of_particles;
     }
 
+    /// The number of the fluid of a cell.
+    unsigned int fluid(const unsigned int cell) const
+    {
+      return fluids.empty() ? 0 : fluids[cell];
+    }
+
+    /// Those of all cells, as reinit() takes them.
+    const std::vector<unsigned int> &cell_fluids() const
+    {
+      return fluids;
+    }
+
+    /// Change them.
+    void set_cell_fluids(const std::vector<unsigned int> &new_fluids);
+
     const std::vector<BoundaryFace> &boundary_faces() const
     {
       return faces;
@@ -113,6 +132,9 @@ namespace Lahar
 
     /// Volume (area in 2D) of this rank's own cells with the particles at their present positions.
     double volume(const ParticleCloud<dim> &cloud) const;
+
+    /// The same of each of @p n_fluids fluids.
+    std::vector<double> volumes(const ParticleCloud<dim> &cloud, const unsigned int n_fluids) const;
 
     /// Numbers of this rank's own cells, ascending.
     std::vector<unsigned int> own_cells(const ParticleCloud<dim> &cloud) const;
@@ -152,6 +174,7 @@ namespace Lahar
     std::vector<unsigned int> vertex_to_particle;
     std::vector<Point<dim>> positions; ///< of the vertices
     std::vector<BoundaryFace> faces;
+    std::vector<unsigned int> fluids; ///< by cell; empty if all cells are of the first fluid
   };
 } // namespace Lahar
 

@@ -54,11 +54,13 @@ namespace Lahar
    *
    * Points that a segment hides do not contradict a triangle; as using them does not make it go away, the number of
    * points that are used of its ball doubles each time.
+   * @param n_required of the segments come first, which must not cross; see ConstrainedDelaunay.
    * @param forced see ConstrainedDelaunay::forced().
-   * @throws RunError if two segments cross.
+   * @throws RunError if two of these cross.
    */
   std::vector<Simplex<2>> local_constrained_delaunay(const WantedSimplices<2> &wanted,
                                                      const std::vector<std::array<unsigned int, 2>> &segments,
+                                                     const unsigned int n_required,
                                                      std::vector<bool> &forced);
 } // namespace Lahar
 

@@ -68,8 +68,13 @@ namespace Lahar
         exchange.update(reinterpret_cast<double *>(values.data()), sizeof(T) / sizeof(double));
     }
 
-    /// A cell and something that is to be told of it.
-    using MarkedCell = std::pair<Simplex<dim>, bool>;
+    /// A cell and what is to be told of it.
+    struct MarkedCell
+    {
+      Simplex<dim> corners;
+      bool is_new;        ///< it was no fluid before
+      unsigned int fluid; ///< its number
+    };
 
     /// @return of all ranks' @p own cells those that have a corner in this rank's region, and its own ones. A cell is
     /// left out whose corners this rank does not know.

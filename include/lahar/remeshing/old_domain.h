@@ -6,6 +6,7 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,13 @@ namespace Lahar
      * Whether the simplex of the given particles was fluid: it is one of the old cells, or its centroid lies in one of
      * those around its corners or in one of the cells around these.
      */
-    bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
+    bool contains(const Simplex<dim> &simplex, const Point<dim> &centroid) const
+    {
+      return find_cell(simplex, centroid) != numbers::invalid_unsigned_int;
+    }
+
+    /// The number of the fluid there; none if it was no fluid.
+    std::optional<unsigned int> fluid_at(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
 
     /**
      * Whether the way from a fluid corner of the simplex to the @p centroid leaves the old domain through a face between
@@ -56,6 +63,18 @@ namespace Lahar
      */
     bool leads_into_hollow(const Simplex<dim> &simplex, const Point<dim> &centroid,
                            const ParticleCloud<dim> &cloud) const;
+
+    /// The present index of a particle of the last mesh; of a removed one a number beyond all present particles.
+    unsigned int present(const unsigned int old) const
+    {
+      return new_index[old];
+    }
+
+    /// The old indices of the parents of an inserted particle; of another one its own, twice.
+    std::pair<unsigned int, unsigned int> parents(const unsigned int particle) const
+    {
+      return seeds[particle];
+    }
 
     /// A cell of the last mesh in the numbering of the present particles.
     struct OldCell
@@ -79,10 +98,13 @@ namespace Lahar
       Simplex<dim> corners; ///< old indices
       double volume;
       bool own;
+      unsigned int fluid;
     };
 
-    /// Whether the simplex, its corners in canonical() order, is one of the cells; renumbering keeps that order.
-    bool has_cell(const Simplex<dim> &simplex) const;
+    /// The cell that the simplex is, its corners in canonical() order, which renumbering keeps; invalid if there is none.
+    unsigned int same_cell(const Simplex<dim> &simplex) const;
+    /// The cell that contains() finds; invalid if there is none.
+    unsigned int find_cell(const Simplex<dim> &simplex, const Point<dim> &centroid) const;
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;
     bool share_cell(const unsigned int a, const unsigned int b) const;
 

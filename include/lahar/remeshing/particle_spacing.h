@@ -27,6 +27,13 @@ namespace Lahar
    *
    * In space a long edge stays as it is where that particle would do harm, see harmful_midpoints().
    *
+   * Particles on an interface between fluids give way to others on one only: of a short edge the other particle goes, but
+   * one that holds the shape of the domain only where the two are very near. In the plane two neighbours along an
+   * interface are merged so that the areas of both fluids stay. Inner particles that an interface face sees in its
+   * smallest ball go, too; so such faces are Delaunay. Where fluids have met, the edges between particles of the one and
+   * of the other get a particle in their middle, or lose one end if they are short; the new particle, or the other end,
+   * belongs to both. A new particle belongs to the fluids of all cells around its edge.
+   *
    * Short edges come in the order of their particles, the longest of the long edges first, and each particle is changed
    * once. As what happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that
    * would change the same particle the first one has its way, an edge is divided if it is the longest one at both of its
@@ -66,10 +73,11 @@ namespace Lahar
     };
 
     /// The removals that are possible of the @p short_edges, in their order. @param rank by particle, the higher
-    /// ones stay. @param chains the free surface in the plane.
+    /// ones stay. @param chains in the plane the free surface and the interfaces.
     std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud,
                                          const std::vector<Edge> &short_edges,
-                                         const std::vector<unsigned int> &rank, const SurfaceChain &chains,
+                                         const std::vector<unsigned int> &rank,
+                                         const std::array<SurfaceChain, 2> &chains,
                                          const Changes &changes) const;
 
     /// Particles to remove; merges move the surviving ones.
@@ -83,8 +91,10 @@ namespace Lahar
                                       const std::vector<bool> &removed,
                                       const Migration<dim> &migration) const;
 
-    /// Append the particles in the middle of the @p edges, which are sorted: the longest one's has the smallest number.
-    void insert(std::vector<Edge> &edges, const Migration<dim> &migration, ParticleCloud<dim> &cloud) const;
+    /// Append the particles in the middle of the @p edges of the mesh, which are sorted: the longest one's has the smallest
+    /// number.
+    void insert(std::vector<Edge> &edges, const FluidMesh<dim> &mesh, const Migration<dim> &migration,
+                ParticleCloud<dim> &cloud) const;
 
     double shortest = 0.6, longest = 1.5;
   };

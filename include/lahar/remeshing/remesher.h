@@ -49,6 +49,12 @@ namespace Lahar
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
 
+    /// Of the case; one by default.
+    void set_number_of_fluids(const unsigned int n)
+    {
+      n_fluids = n;
+    }
+
     /**
      * How far beyond its own particles a rank must know particles and cells, m: Delaunay simplices of own particles have
      * corners within AlphaShape::reach(), whose old cells, and the cells around these, say what was fluid; and a step
@@ -84,11 +90,13 @@ namespace Lahar
 
     /**
      * Replace @p mesh by a new one of the same particles, some of which are removed or inserted. Collective;
-     * @p migration has brought particles and mesh to where they belong, with region_distance().
+     * @p migration has brought particles and mesh to where they belong, with region_distance(). A cell's fluid follows from
+     * its corners and the last mesh, fluid_of_cell().
      *
      * @param walls rigid walls and, as walls that carry particles, the solids' contours.
      * @param solid_facets the contours by particle; their particles stand first in the cloud and remain. In 2D they are
-     * edges of the triangulation (constrained Delaunay), so that no triangle crosses a contour.
+     * edges of the triangulation (constrained Delaunay), so that no triangle crosses a contour; the same holds of the
+     * interfaces between fluids.
      */
     Report remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<Facet> &solid_facets,
                   const double time_step, FluidMesh<dim> &mesh, Migration<dim> &migration) const;
@@ -102,17 +110,27 @@ namespace Lahar
     }
 
   private:
+    /// Finds segments, given how long they may be at most (m) and those that there are already.
+    using Interfaces = std::function<std::vector<Facet>(const double, const std::vector<Facet> &)>;
+
     /**
      * The simplices of this rank that may become fluid; all ranks together have every one once.
      *
+     * @param interfaces the interfaces as far as they are to be edges of the triangulation.
      * @param n_forced as in Report.
      * @throws RunError if the contours of two solids cross.
      */
     std::vector<Simplex<dim>> own_candidates(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                              const std::vector<Facet> &solid_facets,
-                                             const Migration<dim> &migration, unsigned int &n_forced) const;
+                                             const Interfaces &interfaces, const Migration<dim> &migration,
+                                             unsigned int &n_forced) const;
 
-    bool keep_volume = true;
+    /// ParticleSpacing::adapt(); particles that have been inserted are of the same fluids on all ranks.
+    bool adapt_spacing(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
+                       OldDomain<dim> &old_domain, Migration<dim> &migration) const;
+
+    bool keep_volume      = true;
+    unsigned int n_fluids = 1;
     AlphaShape<dim> alpha_shape;
     ParticleSpacing<dim> particle_spacing;
   };

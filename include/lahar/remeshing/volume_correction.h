@@ -43,6 +43,15 @@ namespace Lahar
     /// The volume that this rank's own isolated particles carry: of the cells that they had, and have no longer.
     static double carried_volume(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud);
 
+    /// The same of each of @p n_fluids fluids; what is on an interface counts with the first of its fluids.
+    static std::vector<double> carried_volumes(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                                               const unsigned int n_fluids);
+
+    /// Put particles back to their @p old_position that have moved so far that a cell keeps less than half of its volume.
+    /// Collective.
+    static void keep_cells(const FluidMesh<dim> &mesh, const std::vector<Point<dim>> &old_position,
+                           ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+
     /// Whether any particle owes volume. Collective.
     static bool is_any_owed(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
 

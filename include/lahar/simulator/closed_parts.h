@@ -26,9 +26,11 @@ namespace Lahar
      * Find the parts, and fix in @p constraints the pressure of one node of each: its level stays as it is. What fixes
      * whole parts must be in @p constraints already, see fix_undetermined_pressures(). Collective.
      * @param cells those that the rank knows, @p positions of their nodes.
+     * @param is_compressible by node: whether a cell there gives way, so that its part is none of these.
      */
     void fix_levels(const std::vector<Simplex<dim>> &cells, const std::vector<Point<dim>> &positions,
-                    const NodePartition &partition, std::vector<NodeConstraint<dim>> &constraints);
+                    const NodePartition &partition, const std::vector<bool> &is_compressible,
+                    std::vector<NodeConstraint<dim>> &constraints);
 
     /**
      * @throws RunError if a part has other volumes at the end of the step than at its start, with a place in it.

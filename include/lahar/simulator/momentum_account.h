@@ -59,8 +59,8 @@ namespace Lahar
     }
 
     /// P of all ranks at present. Collective.
-    Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const double density,
-                           const MPI_Comm &communicator) const;
+    Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                           const Materials &materials, const MPI_Comm &communicator) const;
 
     /// Columns 'Momentum x (N s)' … and 'Momentum change by remeshing x (N s)' ….
     void add_columns(TableHandler &statistics) const;

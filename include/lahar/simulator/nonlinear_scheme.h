@@ -86,7 +86,7 @@ namespace Lahar
     bool is_converged(const StepProblem<dim> &problem, const NonlinearReport &report) const
     {
       return are_increments_small(report) &&
-             (!problem.law().has_exact_yield_stress() || problem.is_standing() ||
+             (!problem.fluids().any_exact_yield_stress() || problem.is_standing() ||
               report.relative_yield_gap <= gap_tolerance || report.iterations == maximum_iterations);
     }
 

@@ -15,6 +15,7 @@
 #include <lahar/remeshing/plastic_multipliers.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/simulator/case.h>
+#include <lahar/simulator/fluid_accounts.h>
 #include <lahar/simulator/ill_posed_cells.h>
 #include <lahar/simulator/momentum_account.h>
 #include <lahar/simulator/nonlinear_scheme.h>
@@ -108,12 +109,16 @@ namespace Lahar
     unsigned int count_on_ranks(const unsigned int n) const;
     /// Of the cells, what isolated particles carry, and what comes in at present, on all ranks.
     double fluid_volume() const;
+    /// The same of each fluid, where there are several.
+    std::vector<double> fluid_volumes() const;
+    /// What comes in of each fluid in the step, where there are several, m^dim.
+    std::vector<double> inflow_volumes() const;
     /// See MomentumAccount.
     Tensor<1, dim> fluid_momentum() const;
     /// Whether there is an exact yield stress, whose multipliers are carried along.
     bool has_multipliers() const
     {
-      return input.geometry.law().has_exact_yield_stress();
+      return materials.any_exact_yield_stress();
     }
     void remesh(const double time_step);
     /// Fluid goes out, fluid that has come in gets its cells.
@@ -162,6 +167,7 @@ namespace Lahar
 
     Parameters &prm;
     Case<dim> input;
+    Materials materials; ///< of its fluids
     Solids<dim> solids;
     TimeIntegration time_integration;
     Remesher<dim> remesher;
@@ -184,6 +190,7 @@ namespace Lahar
     struct
     {
       VolumeAccount<dim> volume;
+      FluidAccounts<dim> fluids;
       MomentumAccount<dim> momentum;
     } account;
     IllPosedCells<dim> ill_posed_cells;

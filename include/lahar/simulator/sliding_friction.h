@@ -5,7 +5,7 @@
 
 #include <lahar/boundary/sliding_contact.h>
 #include <lahar/linear/block_system.h>
-#include <lahar/material/fluid_law.h>
+#include <lahar/material/materials.h>
 
 #include <vector>
 
@@ -28,7 +28,7 @@ namespace Lahar
      * steps, whatever moves behind the vertex. Collective.
      */
     void start_step(const std::vector<SlidingContact<dim>> &contacts, const FluidMesh<dim> &mesh,
-                    const ParticleCloud<dim> &cloud, const FluidLaw &law, const double time_step,
+                    const ParticleCloud<dim> &cloud, const Materials &materials, const double time_step,
                     const NodePartition &partition);
 
     /// Add forces and tangents to @p system at the mean @p velocities (m/s) and the @p pressures (Pa) by local number.

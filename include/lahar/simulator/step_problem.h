@@ -49,7 +49,7 @@ namespace Lahar
       const ParticleCloud<dim> &cloud;
       const Solids<dim> &solids;
       const Migration<dim> &migration;
-      const FluidLaw &law;
+      Materials materials;
       Tensor<1, dim> gravity; ///< m/s²
       const TimeIntegration &time_integration;
       double end_time; ///< s
@@ -175,9 +175,9 @@ namespace Lahar
     /// nodes. Zero at vertices that this rank does not know.
     std::vector<Tensor<1, dim>> reactions() const;
 
-    const FluidLaw &law() const
+    const Materials &fluids() const
     {
-      return *fluid_law;
+      return materials;
     }
 
     const MPI_Comm &communicator() const
@@ -210,6 +210,10 @@ namespace Lahar
     std::vector<T> by_vertex(const std::vector<T> &by_node) const;
     template <typename T>
     std::vector<T> by_node(const std::vector<T> &by_vertex) const;
+    /// Bring the values of other ranks' vertices, for one fluid after the other, up to date.
+    void update_by_fluid(std::vector<Tensor<1, dim>> &values) const;
+    /// By local number: whether the node has a cell of a compressible fluid.
+    std::vector<bool> compressible_nodes() const;
     /// Bring the values of other ranks' vertices up to date.
     template <typename T>
     void update_vertices(std::vector<T> &by_vertex) const;
@@ -224,7 +228,7 @@ namespace Lahar
     const FluidMesh<dim> *region_mesh = nullptr; ///< of all particles in this rank's region
     const FluidMesh<dim> *mesh        = nullptr; ///< what this rank works on of it
     FluidMesh<dim> part;                         ///< this, on several ranks
-    const FluidLaw *fluid_law = nullptr;
+    Materials materials;
     Tensor<1, dim> gravity;
     TimeIntegration time_integration;
     FluidStep<dim> fluid;

@@ -57,6 +57,29 @@ namespace Lahar
       return initial;
     }
 
+    /// At present, m^dim.
+    double volume() const
+    {
+      return present;
+    }
+
+    /// By solver and remeshing, m^dim.
+    double absolute_change() const
+    {
+      return by_solver + by_remeshing;
+    }
+
+    /// Relative.
+    double change_by_solver() const
+    {
+      return by_solver / reference();
+    }
+
+    double change_by_remeshing() const
+    {
+      return by_remeshing / reference();
+    }
+
     /// By solver and remeshing, relative.
     double change() const
     {

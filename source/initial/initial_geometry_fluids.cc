@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/wall_shape.h>
+#include <lahar/initial/initial_geometry.h>
+#include <lahar/material/newtonian.h>
+#include <lahar/particles/fluid_set.h>
+#include <lahar/remeshing/cell_fluid.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Lahar
+{
+  namespace
+  {
+    /// Over h: as far are points inside a fluid from the contours of others.
+    /// Over h: as far are points inside a fluid from the contours of others.
+    constexpr double interface_clearance = 0.6;
+  } // namespace
+
+
+
+  template <int dim>
+  Materials InitialGeometry<dim>::materials() const
+  {
+    static const Newtonian water;
+    if (fluids.empty())
+      return Materials(water);
+    std::vector<const FluidLaw *> laws;
+    for (const Fluid<dim> &fluid : fluids)
+      laws.push_back(fluid.law.get());
+    return Materials(laws);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string> InitialGeometry<dim>::fluid_names() const
+  {
+    std::vector<std::string> names;
+    for (const Fluid<dim> &fluid : fluids)
+      names.push_back(fluid.name);
+    return names;
+  }
+
+
+
+  template <int dim>
+  typename InitialGeometry<dim>::Fillings InitialGeometry<dim>::fill_bodies(const MeshSize<dim> &h) const
+  {
+    Fillings result;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
+      std::vector<Point<dim>> points = bodies[b]->fill(h);
+      const auto crowds              = [&](const Point<dim> &point, const unsigned int other) {
+        const double reach = interface_clearance * h(point);
+        return fluid_of[other] != fluid_of[b] && bodies[other]->box().contains(point, reach) &&
+               bodies[other]->signed_distance(point) < reach &&
+               bodies[b]->signed_distance(point) < -2. * touching * h(point) - bodies[b]->roughness();
+      };
+      for (unsigned int other = 0; other < bodies.size() && fluids.size() > 1; ++other)
+        points.erase(std::remove_if(points.begin(), points.end(),
+                                    [&](const Point<dim> &point) { return crowds(point, other); }),
+                     points.end());
+      result.push_back(points);
+    }
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /// The way along which the distance from a body's contour grows near a point; of length one, or zero at ridges.
+    template <int dim>
+    Tensor<1, dim> outwards(const FluidBody<dim> &body, const Point<dim> &point, const double h)
+    {
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const Tensor<1, dim> step = 0.01 * h * Point<dim>::unit_vector(d);
+        result[d]                 = body.signed_distance(point + step) - body.signed_distance(point - step);
+      }
+      return result.norm() > 0. ? result / result.norm() : result;
+    }
+
+    /// Whether the way from a point near the contour of a body into it passes through a wall without particles.
+    template <int dim>
+    bool is_behind_wall(const FluidBody<dim> &body, const Point<dim> &point, const double h,
+                        const Walls<dim> &walls)
+    {
+      const auto crossed = walls.crossed(point, point - 0.1 * h * outwards(body, point, h), 0., touching * h);
+      return std::any_of(crossed.begin(), crossed.end(),
+                         [&](const unsigned int facet) { return walls.facets()[facet].lands; });
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::mark_interfaces(const Walls<dim> &walls, ParticleCloud<dim> &cloud) const
+  {
+    for (unsigned int i = 0; i < cloud.size() && fluids.size() > 1; ++i)
+      if (cloud.kind[i] == ParticleKind::fluid)
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          const Point<dim> &point = cloud.position[i];
+          const double reach      = 2. * touching * cloud.spacing[i] + bodies[b]->roughness();
+          if ((cloud.part[i] & fluid_set(fluid_of[b])) == 0U && bodies[b]->box().contains(point, reach) &&
+              bodies[b]->signed_distance(point) < reach &&
+              !is_behind_wall(*bodies[b], point, cloud.spacing[i], walls))
+            cloud.part[i] |= fluid_set(fluid_of[b]);
+        }
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::put_on_interfaces(ParticleCloud<dim> &cloud) const
+  {
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.kind[i] == ParticleKind::fluid && has_several(cloud.part[i]))
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          const double h = cloud.spacing[i], distance = bodies[b]->signed_distance(cloud.position[i]);
+          if ((cloud.part[i] & fluid_set(fluid_of[b])) != 0U && std::abs(distance) < 0.5 * h &&
+              std::abs(distance) > 2. * touching * h + bodies[b]->roughness())
+            cloud.position[i] -= distance * outwards(*bodies[b], cloud.position[i], h);
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int> InitialGeometry<dim>::cell_fluids(const FluidMesh<dim> &mesh,
+                                                              const ParticleCloud<dim> &cloud) const
+  {
+    std::vector<unsigned int> result;
+    for (const Simplex<dim> &cell : mesh.particle_cells())
+      result.push_back(fluid_of_cell<dim>(cell, cloud, [&] {
+        const Point<dim> centre = centroid<dim>(corners_of<dim>(cell, cloud.position));
+        unsigned int nearest    = 0;
+        double smallest         = std::numeric_limits<double>::max();
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (const double distance = bodies[b]->signed_distance(centre); distance < smallest)
+          {
+            smallest = distance;
+            nearest  = fluid_of[b];
+          }
+        return std::make_optional(nearest);
+      }));
+    return result;
+  }
+
+
+
+  template Materials InitialGeometry<2>::materials() const;
+  template Materials InitialGeometry<3>::materials() const;
+  template std::vector<std::string> InitialGeometry<2>::fluid_names() const;
+  template std::vector<std::string> InitialGeometry<3>::fluid_names() const;
+  template InitialGeometry<2>::Fillings InitialGeometry<2>::fill_bodies(const MeshSize<2> &) const;
+  template InitialGeometry<3>::Fillings InitialGeometry<3>::fill_bodies(const MeshSize<3> &) const;
+  template void InitialGeometry<2>::mark_interfaces(const Walls<2> &, ParticleCloud<2> &) const;
+  template void InitialGeometry<3>::mark_interfaces(const Walls<3> &, ParticleCloud<3> &) const;
+  template void InitialGeometry<2>::put_on_interfaces(ParticleCloud<2> &) const;
+  template std::vector<unsigned int> InitialGeometry<2>::cell_fluids(const FluidMesh<2> &,
+                                                                     const ParticleCloud<2> &) const;
+  template void InitialGeometry<3>::put_on_interfaces(ParticleCloud<3> &) const;
+  template std::vector<unsigned int> InitialGeometry<3>::cell_fluids(const FluidMesh<3> &,
+                                                                     const ParticleCloud<3> &) const;
+} // namespace Lahar
