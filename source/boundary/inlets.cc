@@ -335,8 +335,7 @@ namespace Lahar
       }
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
     {
-      const auto of_ranks = Utilities::MPI::all_gather(communicator, numbers_of_all);
-      numbers_of_all.clear();
+      const auto of_ranks = Utilities::MPI::all_gather(communicator, std::exchange(numbers_of_all, {}));
       for (const auto &of_rank : of_ranks)
         numbers_of_all.insert(numbers_of_all.end(), of_rank.begin(), of_rank.end());
       std::sort(numbers_of_all.begin(), numbers_of_all.end());

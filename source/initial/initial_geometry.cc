@@ -26,9 +26,6 @@ namespace Lahar
     /// to it.
     constexpr double contact = 0.1;
 
-    /// Mesh sizes, or squares of them, that a wall may be large: it is looked at in so many places.
-    constexpr double largest_wall = 1e7;
-
     template <int dim>
     bool is_near(const Walls<dim> &walls, const Point<dim> &point, const double distance)
     {
@@ -77,56 +74,6 @@ namespace Lahar
           throw InputError(message.str());
         }
       }
-    }
-  }
-
-
-
-  template <int dim>
-  void InitialGeometry<dim>::check_number_of_particles(const MeshSize<dim> &mesh_size) const
-  {
-    const double h   = mesh_size.coarsest();
-    double sum       = 0.;
-    const auto check = [&](const double n, const std::string &name) {
-      sum += n;
-      if (!(sum <= max_particles))
-      {
-        std::ostringstream message;
-        message << "Parameter 'Mesh size' is " << h << " m, which makes about " << n << " particles of "
-                << name << (mesh_size.is_uniform() ? "" : " with 'Remeshing/Refined boxes'")
-                << ". Allowed: 'Largest number of particles', which is " << max_particles
-                << ", of all fluids and boundaries.";
-        throw InputError(message.str());
-      }
-    };
-    for (const auto &body : bodies)
-      check(body->estimate_size(h) + mesh_size.estimate_refinement(body->box(), dim),
-            "fluid " + body->name());
-    for (const WallShape<dim> &wall : wall_shapes)
-    {
-      if (wall.lands) // particles on its sharp edges at most, but its surface is looked at at this distance
-      {
-        if (const double n = wall.estimate_size(h); !(n <= largest_wall))
-        {
-          std::ostringstream message;
-          message << "Parameter 'Mesh size' is " << h << " m, of which boundary " << wall.name << " is about "
-                  << n << (dim == 2 ? " long" : " squared large") << ". Allowed: at most " << largest_wall
-                  << ".";
-          throw InputError(message.str());
-        }
-        double n = 0.;
-        if (dim == 3 && wall.sticks)
-          for (const WallFacet<dim> &facet : wall.facets())
-            for (unsigned int c = 0; c < dim; ++c)
-              n += std::max(0., facet.corners[c].distance(facet.corners[(c + 1) % dim]) / h - 1.);
-        check(n, "boundary " + wall.name);
-        continue;
-      }
-      std::vector<Point<dim>> corners;
-      for (const WallFacet<dim> &facet : wall.facets())
-        corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
-      check(wall.estimate_size(h) + mesh_size.estimate_refinement(box_around(corners), dim - 1),
-            "boundary " + wall.name);
     }
   }
 
