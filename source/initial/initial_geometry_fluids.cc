@@ -223,4 +223,6 @@ namespace Lahar
   template void InitialGeometry<3>::put_on_interfaces(ParticleCloud<3> &) const;
   template std::vector<unsigned int> InitialGeometry<3>::cell_fluids(const FluidMesh<3> &,
                                                                      const ParticleCloud<3> &) const;
+  template void InitialGeometry<2>::check_number_of_particles(const MeshSize<2> &) const;
+  template void InitialGeometry<3>::check_number_of_particles(const MeshSize<3> &) const;
 } // namespace Lahar

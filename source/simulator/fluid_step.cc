@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/simulator/fluid_step.h>
 #include <lahar/simulator/slivers.h>
 
@@ -84,7 +84,7 @@ namespace Lahar
     std::vector<double> result;
     result.reserve(mesh->n_cells());
     for (const Simplex<dim> &cell : mesh->cells())
-      result.push_back(signed_volume<dim>(corners_of<dim>(cell, positions)));
+      result.push_back(body_volume<dim>(corners_of<dim>(cell, positions)));
     return result;
   }
 

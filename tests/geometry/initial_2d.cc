@@ -196,8 +196,8 @@ void test_parts()
   right.further                = {{"Law", "Newtonian"}};
   const InitialGeometry<2> two = make_geometry<2>({left, right});
   check("each fluid has its law", two.materials().n_fluids() == 2 &&
-                                    two.materials().law(0).yield_stress() > 0. &&
-                                    two.materials().law(1).yield_stress() == 0.);
+                                    two.materials().law(0).yield_stress(0.).value > 0. &&
+                                    two.materials().law(1).yield_stress(0.).value == 0.);
   right.of_shape = {{"Corners", "0.5, 0 : 3, 0 : 3, 1 : 2, 1"}};
   right.further  = {};
   check_error("overlapping fluids", {left, right}, {"Fluid 'left' overlaps fluid 'right'"});
