@@ -204,8 +204,11 @@ namespace Lahar
       const double strain_rate              = cell.plastic_strain_rate();
       const FluidLaw::Value f               = law.plastic_part(strain_rate);
       const SymmetricTensor<2, dim> &Lambda = state.plastic_dual[c];
-      const double norm                     = std::sqrt(0.5 * cell.product(Lambda, Lambda));
-      const double delta_rate               = 2. * cell.product(rate, delta_d) /
+      const auto product = [&](const SymmetricTensor<2, dim> &a, const SymmetricTensor<2, dim> &b) {
+        return law.has_exact_yield_stress() ? deviator_product<dim>(a, b) : cell.product(a, b);
+      };
+      const double norm       = std::sqrt(0.5 * product(Lambda, Lambda));
+      const double delta_rate = 2. * product(rate, delta_d) /
                                 std::max(strain_rate, std::numeric_limits<double>::min());
       base[c]  = 2. * f.value * rate;
       slope[c] = 2. * f.value * delta_d + f.derivative / f.value * delta_rate / std::max(1., norm) * Lambda;

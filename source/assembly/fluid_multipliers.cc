@@ -36,7 +36,9 @@ namespace Lahar
       if (state.left_out[c] || !counted[c])
         continue;
       const FluidLaw &law = materials.law(mesh.fluid(c));
-      cell.law            = &law;
+      if (!materials.counts_in_gap(mesh.fluid(c)))
+        continue;
+      cell.law = &law;
       gather(mesh.cells()[c], state, cell);
       if (law.has_exact_yield_stress())
         cell.multiplier = state.multiplier[c];

@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace Lahar
 {
   namespace
   {
-    /// No particle that comes in moves by more than this times its spacing in a step: none would be left out.
+    /// No particle that comes in moves farther than this times its spacing in a step: none would be left out.
     constexpr double largest_movement = 0.9;
-
     /// Smaller changes of a layer, over h^dim, are rounding.
     constexpr double smallest_debt = 1e-10;
 

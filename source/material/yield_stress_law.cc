@@ -68,7 +68,7 @@ namespace Lahar
 
   FluidLaw::Value YieldStressLaw::plastic_part(const double strain_rate) const
   {
-    if (r > 0.)
+    if (augmentation() > 0.)
       return r * strain_rate <= 1. ? Value{r, 0.}
                                    : Value{1. / strain_rate, -1. / (strain_rate * strain_rate)};
 

@@ -7,7 +7,7 @@
 namespace Lahar
 {
   /**
-   * Kinetic energy ∫ ρ |v|²/2 and potential energy −∫ ρ g·x of the fluid in the mesh, J (J/m in the plane).
+   * Kinetic energy ∫ ρ |v|²/2 and potential energy −∫ ρ g·x of the fluid in the mesh, J (J/m in plane strain).
    */
   template <int dim>
   class Energies : public Postprocessor<dim>
@@ -34,6 +34,8 @@ namespace Lahar
         // |v|² and x are linear combinations of shape functions, which are exact with three factors.
         FluidCell<dim> ring;
         ring.reinit(corners, false);
+        if (!(ring.volume > 0.))
+          continue;
         for (unsigned int I = 0; I <= dim; ++I)
         {
           const Tensor<1, dim> &v = snapshot.cloud.velocity[cell[I]];

@@ -43,7 +43,7 @@ namespace Lahar
       return !has_fluid || signed_volume<dim>(corners) < flat_volume * std::pow(h, dim);
     }
 
-    /// The rate at which the simplex shrinks, −V'/V = −div v, 1/s.
+    /// The rate at which the simplex shrinks, −V'/V = −div v, 1/s; of a ring its section.
     template <int dim>
     double shrinkage(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
                      const ParticleCloud<dim> &cloud)

@@ -83,7 +83,7 @@ namespace Lahar
         sum_of_radii += corners[k][0];
       }
       corners[dim] = cloud.position[face.opposite[0]];
-      // −d V ∇λ is the area vector of the face opposite to a corner; both factors change their sign with the orientation.
+      // −d V ∇λ is the area vector of the face opposite to a corner; V changes its sign with the orientation, ∇λ does not.
       const Tensor<1, dim> face_area = -dim * std::abs(signed_volume<dim>(corners)) *
                                        shape_gradients<dim>(corners)[dim];
       for (const unsigned int i : face.corners)

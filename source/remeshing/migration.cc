@@ -15,7 +15,8 @@ namespace Lahar
     /// A rank may have this times the mean work before space is divided anew.
     constexpr double largest_share = 1.05;
 
-    /// What one rank tells another: particles, cells by the numbers of their corners and of their fluids, and values of cells.
+    /// What one rank tells another: particles, cells by the numbers of their corners and of their fluids, and values of
+    /// cells.
     struct Parcel
     {
       std::vector<double> particles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/simplex_geometry.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/plastic_multipliers.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace Lahar
     for (const Simplex<dim> &cell : mesh.particle_cells())
       if (const Value *value = by_particles.find(CellTable<dim>::key(cell, cloud)))
       {
-        const double volume = std::abs(signed_volume<dim>(corners_of<dim>(cell, cloud.position)));
+        const double volume = std::abs(body_volume<dim>(corners_of<dim>(cell, cloud.position)));
         for (const unsigned int particle : cell)
         {
           for (unsigned int i = 0; i < n; ++i)

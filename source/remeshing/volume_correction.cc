@@ -65,7 +65,7 @@ namespace Lahar
       return changed;
     }
 
-    /// The area vectors of the free surface by particle, outwards: each face gives equal shares to its corners.
+    /// The area vectors of the free surface by particle, outwards: each face gives face_share() to its corners.
     template <int dim>
     std::vector<Tensor<1, dim>> surface_areas(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud)
     {

@@ -25,6 +25,9 @@ namespace Lahar
     run.parse_parameters(prm);
     mesh_size.parse_parameters(prm, run.mesh_size);
     gravity = prm.get_vector<dim>("Gravity");
+    if (Symmetry::applies<dim>() && !structure.solids.empty())
+      throw InputError("Parameter 'Solids' has '" + structure.solids[0] +
+                       "'. Allowed: nothing, as 'Geometry' is 'rotational symmetry'.");
     geometry.parse_parameters(prm, structure);
     for (const Boundary<dim> &boundary : geometry.all_boundaries())
     {
@@ -42,9 +45,6 @@ namespace Lahar
   template <int dim>
   void Case<dim>::check_symmetry(Parameters &prm, const CaseStructure &structure) const
   {
-    if (!structure.solids.empty())
-      throw InputError("Parameter 'Solids' has '" + structure.solids[0] +
-                       "'. Allowed: nothing, as 'Geometry' is 'rotational symmetry'.");
     if (gravity[0] != 0.)
       prm.throw_wrong_value("Gravity", "'0, g', along the axis, as 'Geometry' is 'rotational symmetry'");
     if constexpr (dim == 2)

@@ -45,7 +45,7 @@ namespace Lahar
     text.precision(3);
     text
       << "Warning: in " << 100. * ill_posed / all
-      << " % of the cells that flowed under pressure, all steps together, the inertial number was outside the range "
+      << " % of the cells that flowed under pressure, all steps of this run together, the inertial number was outside the range "
          "in which the equations of the fluid's law are well-posed. Bands of shear there are as wide as the cells, "
          "whatever 'Mesh size' is.";
     return text.str();

@@ -207,7 +207,7 @@ namespace Lahar
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
     account.volume.remeshed(fluid_volume());
     account.fluids.remeshed(fluid_volumes());
-    if (materials.n_fluids() > 1 && remesher.keeps_volume())
+    if (materials.n_fluids() > 1 && remesher.keeps_volume() && materials.all_incompressible())
     {
       InterfaceCorrection<dim>::apply(account.fluids.excess(), obstacles(contour), fluid_mesh, particles,
                                       migration);

@@ -30,20 +30,30 @@ namespace Lahar
     if (time_integration.is_first_step())
       return;
 
+    const auto is_exact = [&](const unsigned int c) {
+      return materials.law(mesh->fluid(c)).has_exact_yield_stress();
+    };
     boost::disjoint_sets_with_storage<> parts(constraints.size());
-    for (const Simplex<dim> &cell : system.cells_by_local_number())
-      for (const unsigned int node : cell)
-        parts.union_set(cell[0], node);
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (const Simplex<dim> &cell = system.cells_by_local_number()[c]; is_exact(c))
+        for (const unsigned int node : cell)
+          parts.union_set(cell[0], node);
     std::vector<double> speed(constraints.size(), 0.);
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       speed[system.local_number(v)] = std::max(state.old_velocity[v].norm(), state.mean_velocity[v].norm());
     spread_largest(parts, system.partition(), speed);
     const double slowest = standing_velocity + negligible_acceleration * gravity.norm() * state.time_step;
+    std::vector<bool> stands(mesh->n_vertices(), true); // all of its cells do
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      state.stands[c] = speed[system.cells_by_local_number()[c][0]] < slowest;
+    {
+      state.stands[c] = is_exact(c) && speed[system.cells_by_local_number()[c][0]] < slowest;
+      if (!state.stands[c])
+        for (const unsigned int v : mesh->cells()[c])
+          stands[v] = false;
+    }
     // What stands is expected to stand: velocities that are errors are not carried on.
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      if (speed[system.local_number(v)] < slowest)
+      if (stands[v])
         state.mean_velocity[v] = state.velocity[v] = Tensor<1, dim>();
   }
 
@@ -82,7 +92,7 @@ namespace Lahar
     const std::vector<double> volumes = fluid.new_volumes();
     const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (counted[c] && !fluid.state.left_out[c])
+      if (counted[c] && !fluid.state.left_out[c] && materials.counts_in_gap(mesh->fluid(c)))
         own.energy += materials.law(mesh->fluid(c)).density() * volumes[c] * rate * standing_velocity *
                       standing_velocity;
     const double sums[2] = {own.gap, own.energy};

@@ -39,7 +39,8 @@ namespace Lahar
     prm.declare_positive(
       "Standing velocity", "1e-7",
       "Speed in m/s, above zero, below which fluid with an exact yield stress stands: where all of a connected part "
-      "is slower the pressures that carry it are kept, and smaller velocities count as errors of this one.");
+      "is slower than this and 1e-4 of what gravity makes in a step together the pressures that carry it are kept, and "
+      "smaller velocities count as errors of this one.");
     prm.leave_subsection();
   }
 
@@ -72,7 +73,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_norms()
   {
-    double sums[5]                               = {}; // of w², δw², p², δp², and v² of the fluid
+    double sums[6] = {}; // of w², δw², p², δp², and of the fluid v² and the vertices
     const std::vector<Tensor<1, dim>> velocities = node_velocities();
     for (unsigned int l = 0; l < system.partition().n_own(); ++l)
     {
@@ -85,8 +86,9 @@ namespace Lahar
       sums[3] += pressure_change[i] * pressure_change[i];
       sums[4] += fluid.state.velocity[i].norm_square();
     }
-    Utilities::MPI::sum(ArrayView<const double>(sums, 5), communicator(), ArrayView<double>(sums, 5));
-    const auto [v, dv, p, dp, v_end] = sums;
+    sums[5] = system.n_own_fluid_nodes();
+    Utilities::MPI::sum(ArrayView<const double>(sums, 6), communicator(), ArrayView<double>(sums, 6));
+    const auto [v, dv, p, dp, v_end, n_vertices] = sums;
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
     const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
@@ -95,7 +97,7 @@ namespace Lahar
                              std::sqrt(static_cast<double>(system.n_nodes())) +
                            1e-300;
     velocity_norm        = std::max(std::sqrt(v), v_floor);
-    mean_speed           = std::sqrt(v_end / std::max(1U, system.n_nodes()));
+    mean_speed           = std::sqrt(v_end / std::max(1., n_vertices));
     const double p_floor = negligible_acceleration * materials.largest_density() * mean_spacing /
                            fluid.state.time_step * velocity_norm;
     pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});

@@ -17,8 +17,8 @@ namespace Lahar
     SymmetricTensor<2, dim> A, B;
   };
 
-  /// Add the momentum rows of a deviatoric stress τ that is constant in the cell, R_I += V τ ∇N_I, and their derivatives with
-  /// respect to the velocities. In a ring the hoop adds V η τ_θθ to the radial rows, τ_θθ = −tr τ.
+  /// Add the momentum rows of a deviatoric stress τ that is constant in the cell, R_I += V τ ∇N_I, and their derivatives
+  /// with respect to the velocities. In a ring the hoop adds V η τ_θθ to the radial rows, τ_θθ = −tr τ.
   template <int dim>
   void assemble_stress(const FluidCell<dim> &cell, const SymmetricTensor<2, dim> &stress,
                        const StressTangent<dim> &tangent, CellSystem<dim> &system);

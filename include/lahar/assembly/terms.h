@@ -40,7 +40,8 @@ namespace Lahar
    * Where the law depends on the pressure, ∂R_I/∂p_J = −∫ (1/(dim+1)) (∂μ_eff/∂P) ∇N_I·2d' for p̄ < 0, zero in tension and
    * with Picard: the system's Q is then not that of the mass equation, see BlockSystem.
    *
-   * The rest of the Jacobian's material part is 2 μ_t I' + c (A ⊗ B + B ⊗ A). Picard: c = 0. Newton: A = B = d', c = 2 μ_eff'/γ̇.
+   * The rest of the Jacobian's material part is 2 μ_t I' + c (A ⊗ B + B ⊗ A). Picard: c = 0. Newton: A = B = d',
+   * c = 2 μ_eff'/γ̇.
    * Primal–dual (De los Reyes & González Andrade 2010; Rudi, Shih & Stadler, arXiv 2003.11115): for the plastic part
    * A = d', B = Λ̂ and c = −τ_y ψ'/(γ̇ ψ) with ψ = 1/f, Λ̂ = Λ/max(1, |Λ|), |Λ|² = Λ:Λ/2. With Λ = 2 f d' it equals
    * Newton. Where |Λ − 2 f d'| = δ > 0, c is multiplied by 1 − min(0.3, 3 δ): along d' little but this derivative

@@ -7,6 +7,8 @@
 
 #include <lahar/geometry/simplex_geometry.h>
 
+#include <cmath>
+
 namespace Lahar
 {
   /**
@@ -41,12 +43,12 @@ namespace Lahar
     inline static bool rotational = false;
   };
 
-  /// Volume with sign that a simplex stands for: with rotational symmetry its ring's, 2π r̄ A, r̄ at the centroid.
+  /// Volume with sign that a simplex stands for: with rotational symmetry its ring's, 2π |r̄| A, r̄ at the centroid.
   template <int dim>
   inline double body_volume(const SimplexCorners<dim> &x)
   {
     const double volume = signed_volume<dim>(x);
-    return Symmetry::applies<dim>() ? 2. * numbers::PI * centroid<dim>(x)[0] * volume : volume;
+    return Symmetry::applies<dim>() ? 2. * numbers::PI * std::abs(centroid<dim>(x)[0]) * volume : volume;
   }
 
   /// ∫ N_I over what a simplex stands for: with rotational symmetry 2π A (r_I + Σ_J r_J)/12, where @p size is A.

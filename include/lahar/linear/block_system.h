@@ -44,9 +44,9 @@ namespace Lahar
    *   [ K   Q ] [δv]     [ R_v ]
    *   [ C   H ] [δp] = − [ R_p ],
    *
-   * C = −Qᵀ but for stabilisation, geometry and stress that depends on the pressure. Velocity component a of node i is unknown dim i + a of block 0, its
-   * pressure unknown i of block 1. In all four blocks the columns of a row follow a nodal graph, so the place of an
-   * entry is computed, not searched for: add() costs one table lookup per pair of nodes.
+   * C = −Qᵀ but for stabilisation, geometry and stress that depends on the pressure. Velocity component a of node i is
+   * unknown dim i + a of block 0, its pressure unknown i of block 1. In all four blocks the columns of a row follow a
+   * nodal graph, so the place of an entry is computed, not searched for: add() costs one table lookup per pair of nodes.
    *
    * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the
    * two share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow

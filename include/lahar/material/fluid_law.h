@@ -16,7 +16,7 @@ namespace Lahar
    *
    * d' the three-dimensional deviator of the rate of deformation (in plane strain it has an out-of-plane component).
    * μ is the viscous part and τ_y f the plastic part; τ_y f γ̇ → τ_y for large γ̇. The two are kept apart because the
-   * primal–dual Newton scheme treats the plastic part in its own way (PlasticLinearization).
+   * primal–dual Newton scheme treats the plastic part in its own way (ViscosityLinearization::primal_dual).
    * P ≥ 0 is the pressure of a cell where it is compressed, zero where it is in tension, see
    * FluidCell::confining_pressure(). Most laws leave it out; in those of grains friction grows with it.
    * In incompressible flow d' = d and γ̇ is Franci & Zhang's (2018, eq. 8) equivalent strain rate; taking the deviator

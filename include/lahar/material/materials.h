@@ -62,11 +62,25 @@ namespace Lahar
                          [](const FluidLaw *law) { return law->has_exact_yield_stress(); });
     }
 
+    /// Whether the yield gap is asked of a fluid: of those with an exact yield stress if there are any, else of all that
+    /// yield.
+    bool counts_in_gap(const unsigned int fluid) const
+    {
+      return any_exact_yield_stress() ? law(fluid).has_exact_yield_stress() : law(fluid).has_yield_stress();
+    }
+
     /// See FluidLaw::may_be_ill_posed().
     bool may_be_ill_posed() const
     {
       return std::any_of(laws.begin(), laws.end(),
                          [](const FluidLaw *law) { return law->may_be_ill_posed(); });
+    }
+
+    /// Whether all fluids are incompressible.
+    bool all_incompressible() const
+    {
+      return std::all_of(laws.begin(), laws.end(),
+                         [](const FluidLaw *law) { return law->compressibility() == 0.; });
     }
 
     /// Whether any fluid is incompressible.

@@ -30,7 +30,7 @@ namespace Lahar
 
     double augmentation() const override
     {
-      return r;
+      return tau_0 > 0. ? r : 0.;
     }
 
   protected:

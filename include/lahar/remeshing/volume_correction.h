@@ -18,8 +18,9 @@ namespace Lahar
    * The cells that the last mesh did not have and those that the new one does not have change the volume by
    * ΔV = Σ V(new) − Σ V(old); inside the fluid they cover the same region and the sum is zero. Each belongs to the
    * largest body that one of its fluid particles is in or, if none is left, of those that shared a cell with them; an
-   * isolated particle is a body of its own, which carries what it owes until it lands. The body's free surface gives ΔV back: with A_i the sum of the outward area vectors of the surface's faces at particle i
-   * over their number of corners
+   * isolated particle is a body of its own, which carries what it owes until it lands. The body's free surface gives ΔV
+   * back: with A_i the sum of the shares, see face_share(), of particle i in the outward area vectors of the surface's
+   * faces
    *
    *   x_i ← x_i − ΔV / (Σ_j |A_j|) A_i / |A_i|,
    *
