@@ -267,7 +267,7 @@ namespace Lahar
                : body.signed_distance(cloud.position[i]) <
                    (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness()))
           return;
-      append(p, ParticleKind::fluid, fluid_set(fluid_of[b]));
+      append(p, ParticleKind::fluid, fluid_set(material(b)));
       cloud.velocity.back() = fluids[fluid_of[b]].initial_velocity(p);
       body_of.push_back(b);
     };

@@ -82,8 +82,9 @@ namespace Lahar
     if (fluids.empty())
       return Materials(water);
     std::vector<const FluidLaw *> laws;
-    for (const Fluid<dim> &fluid : fluids)
-      laws.push_back(fluid.law.get());
+    for (unsigned int n = 0; n < fluids.size(); ++n)
+      if (material_of[n] == laws.size())
+        laws.push_back(fluids[n].law.get());
     return Materials(laws);
   }
 
@@ -93,8 +94,11 @@ namespace Lahar
   std::vector<std::string> InitialGeometry<dim>::fluid_names() const
   {
     std::vector<std::string> names;
-    for (const Fluid<dim> &fluid : fluids)
-      names.push_back(fluid.name);
+    for (unsigned int n = 0; n < fluids.size(); ++n)
+      if (material_of[n] == names.size())
+        names.push_back(fluids[n].name);
+      else
+        names[material_of[n]] += " and " + fluids[n].name;
     return names;
   }
 
@@ -109,11 +113,11 @@ namespace Lahar
       std::vector<Point<dim>> points = bodies[b]->fill(h);
       const auto crowds              = [&](const Point<dim> &point, const unsigned int other) {
         const double reach = interface_clearance * h(point);
-        return fluid_of[other] != fluid_of[b] && bodies[other]->box().contains(point, reach) &&
+        return material(other) != material(b) && bodies[other]->box().contains(point, reach) &&
                bodies[other]->signed_distance(point) < reach &&
                bodies[b]->signed_distance(point) < -2. * touching * h(point) - bodies[b]->roughness();
       };
-      for (unsigned int other = 0; other < bodies.size() && fluids.size() > 1; ++other)
+      for (unsigned int other = 0; other < bodies.size() && n_materials() > 1; ++other)
         points.erase(std::remove_if(points.begin(), points.end(),
                                     [&](const Point<dim> &point) { return crowds(point, other); }),
                      points.end());
@@ -155,16 +159,16 @@ namespace Lahar
   template <int dim>
   void InitialGeometry<dim>::mark_interfaces(const Walls<dim> &walls, ParticleCloud<dim> &cloud) const
   {
-    for (unsigned int i = 0; i < cloud.size() && fluids.size() > 1; ++i)
+    for (unsigned int i = 0; i < cloud.size() && n_materials() > 1; ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
         for (unsigned int b = 0; b < bodies.size(); ++b)
         {
           const Point<dim> &point = cloud.position[i];
           const double reach      = 2. * touching * cloud.spacing[i] + bodies[b]->roughness();
-          if ((cloud.part[i] & fluid_set(fluid_of[b])) == 0U && bodies[b]->box().contains(point, reach) &&
+          if ((cloud.part[i] & fluid_set(material(b))) == 0U && bodies[b]->box().contains(point, reach) &&
               bodies[b]->signed_distance(point) < reach &&
               !is_behind_wall(*bodies[b], point, cloud.spacing[i], walls))
-            cloud.part[i] |= fluid_set(fluid_of[b]);
+            cloud.part[i] |= fluid_set(material(b));
         }
   }
 
@@ -178,7 +182,7 @@ namespace Lahar
         for (unsigned int b = 0; b < bodies.size(); ++b)
         {
           const double h = cloud.spacing[i], distance = bodies[b]->signed_distance(cloud.position[i]);
-          if ((cloud.part[i] & fluid_set(fluid_of[b])) != 0U && std::abs(distance) < 0.5 * h &&
+          if ((cloud.part[i] & fluid_set(material(b))) != 0U && std::abs(distance) < 0.5 * h &&
               std::abs(distance) > 2. * touching * h + bodies[b]->roughness())
             cloud.position[i] -= distance * outwards(*bodies[b], cloud.position[i], h);
         }
@@ -200,7 +204,7 @@ namespace Lahar
           if (const double distance = bodies[b]->signed_distance(centre); distance < smallest)
           {
             smallest = distance;
-            nearest  = fluid_of[b];
+            nearest  = material(b);
           }
         return std::make_optional(nearest);
       }));

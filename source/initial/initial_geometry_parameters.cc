@@ -12,6 +12,22 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// The entries of the chosen law in the handler's current section, by name.
+    std::map<std::string, std::string> law_entries(const Parameters &prm)
+    {
+      const std::string law = prm.path("Law"), section = prm.path(prm.get("Law")) + "/";
+      std::map<std::string, std::string> entries;
+      for (const auto &[path, value] : prm.values())
+        if (path == law || path.rfind(section, 0) == 0)
+          entries[path.substr(prm.path("").size())] = value;
+      return entries;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void InitialGeometry<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
@@ -52,11 +68,15 @@ namespace Lahar
                        " names. Allowed: at most " + std::to_string(most_fluids) + ".");
     max_particles = prm.get_count("Largest number of particles", 1, 100000000);
     prm.enter_subsection("Fluids");
+    std::vector<std::map<std::string, std::string>> laws;
     for (const std::string &name : structure.fluids)
     {
       prm.enter_subsection(name);
       fluids.emplace_back();
       fluids.back().parse_parameters(prm, name);
+      laws.push_back(law_entries(prm));
+      const unsigned int same = std::find(laws.begin(), laws.end(), laws.back()) - laws.begin();
+      material_of.push_back(same + 1 < laws.size() ? material_of[same] : n_materials());
       for (auto &body : fluids.back().bodies())
       {
         bodies.push_back(std::move(body));
@@ -144,7 +164,7 @@ namespace Lahar
     for (unsigned int n = 0; n < fluids.size(); ++n)
     {
       if (inflow.fluid().empty() || inflow.fluid() == fluids[n].name)
-        return n;
+        return material_of[n];
       names += (n == 0 ? "'" : ", '") + fluids[n].name + "'";
     }
     throw InputError("Parameter '" + inflow.path("Fluid") + "' is '" + inflow.fluid() +

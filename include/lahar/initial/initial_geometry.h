@@ -15,6 +15,7 @@
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/utilities/case_structure.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -64,9 +65,11 @@ namespace Lahar
     /// 0.1 h between one of them and a wall or solid. Valid as long as this object.
     std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)> region() const;
 
-    /// The laws of the fluids, which this object has; of water, if there are none.
+    /// The laws of the fluids, which this object has; of water, if there are none. Named fluids whose laws have the same
+    /// entries are one fluid.
     Materials materials() const;
 
+    /// The names of each of them, joined by "and".
     std::vector<std::string> fluid_names() const;
 
     /// Put particles of several fluids, which the first mesh has got between its fluids, onto these fluids' contours, where
@@ -126,7 +129,7 @@ namespace Lahar
     /// Where fluids touch each other, and no wall is between, their particles belong to all of them.
     void mark_interfaces(const Walls<dim> &walls, ParticleCloud<dim> &cloud) const;
 
-    /// The fluid that comes in. @throws InputError if there is none of that name.
+    /// The number, among those of different laws, of the fluid that comes in. @throws InputError if there is none of that name.
     unsigned int fluid_number(const Inflow &inflow) const;
 
     void check_body_sizes(const double h) const;
@@ -150,6 +153,20 @@ namespace Lahar
     std::vector<Boundary<dim>> boundaries;
     typename FluidShape<dim>::Bodies bodies; ///< of all fluids
     std::vector<unsigned int> fluid_of;      ///< by body
+    std::vector<unsigned int> material_of;   ///< by named fluid: its number among those of different laws
+
+    /// The number of different laws.
+    unsigned int n_materials() const
+    {
+      return material_of.empty() ? 0 : 1 + *std::max_element(material_of.begin(), material_of.end());
+    }
+
+    /// Of a body, among the different laws.
+    unsigned int material(const unsigned int body) const
+    {
+      return material_of[fluid_of[body]];
+    }
+
     std::vector<WallShape<dim>> wall_shapes; ///< of all boundaries
     unsigned int max_particles = 0;
   };
