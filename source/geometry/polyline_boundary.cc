@@ -33,7 +33,7 @@ namespace Lahar
         bool has_length = line.corners.size() >= 2;
         for (unsigned int i = 1; i < line.corners.size(); ++i)
           has_length = has_length && line.corners[i] != line.corners[i - 1];
-        if (!has_length)
+        if (!has_length || (line.closed && line.corners.back() == line.corners.front()))
           prm.throw_wrong_value("Points", allowed);
         lines.push_back(line);
       }

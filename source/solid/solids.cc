@@ -16,6 +16,14 @@
 
 namespace Lahar
 {
+  namespace
+  {
+    /// No solid is wider than so many mesh sizes, or narrower than the inverse.
+    constexpr double largest_extent = 1e5;
+  } // namespace
+
+
+
   template <int dim>
   void Solids<dim>::declare_parameters(Parameters &prm, const std::vector<std::string> &names)
   {
@@ -90,6 +98,18 @@ namespace Lahar
                 << "; 'box/Elements' sets the number of elements of a box.";
         throw InputError(message.str());
       }
+      const Box<dim> box = bodies[body].shape->box();
+      for (unsigned int d = 0; d < dim; ++d)
+        if (const double extent = (box.upper[d] - box.lower[d]) / h;
+            !(extent > 1. / largest_extent && extent < largest_extent))
+        {
+          std::ostringstream message;
+          message << "Solid '" << bodies[body].name << "' is " << extent << " times 'Mesh size', which is "
+                  << h << " m, wide in direction "
+                  << "xyz"[d] << ". Allowed: " << 1. / largest_extent << " to " << largest_extent
+                  << " times.";
+          throw InputError(message.str());
+        }
       if (const std::string path = bodies[body].shape->scale_path(); !path.empty())
         for (const std::string &text : warn_of_extent("the elements of solid '" + bodies[body].name + "'",
                                                       bodies[body].shape->box(), h, path))

@@ -189,6 +189,7 @@ def test_refused():
     wrong(FLUID + "polygon/Corners", "", "three corners", more=set_entry(FLUID + "Shape", "polygon"))
     wrong(points, "0, 0", "two different points")
     wrong(points, "", "two different points")
+    wrong(points, "0, 0.4 : 0, 0 : 1, 0 : 0, 0.4 : 0, 0.4", "two different points")
     # Boundaries that resist and move.
     def model(kind, name):
         return set_entry(WALLS + kind, name)
@@ -262,6 +263,8 @@ def test_refused():
     wrong("Solids/beam/Traction", "1", "functions", more=solid(beside))
     refused("a solid of too many nodes", ["'beam'", "Solids/Largest number of nodes", "1000000", "Elements"],
             *solid(beside, "S/box/Elements=10000, 10000"))
+    refused("a solid out of all scale", ["Solid 'beam'", "'Mesh size'", "direction y", "1e-05 to 100000"],
+            *solid("0.25, 0 : 0.26, 1e19", "S/box/Elements=2, 4"))
     refused("solid without corners", ["'Solids/beam/box/Corners'", "''", "llowed"], *solid(""))
     refused("solid over the fluid", ["Fluid 'fluid' overlaps a solid"], *solid("0.1, 0 : 0.25, 0.1"))
     refused("fluid over a whole solid", ["Fluid 'fluid' overlaps a solid"], *solid("0.05, 0.05 : 0.1, 0.1"))
