@@ -164,7 +164,7 @@ void test_parts()
 {
   Part left     = fluid_of("box", {{"Corners", "0, 0 : 1, 1"}}, "left"),
        right    = fluid_of("polygon", {{"Corners", "2, 0 : 3, 0 : 3, 1 : 2, 1"}}, "right");
-  right.further = {{"Initial velocity", "x; -2*y"}};
+  right.further = {{"Initial velocity", "x; -2*y"}, {"Law", "Newtonian"}};
   const Case c({left, right, boundary_of("polyline", {{"Points", "0, 0 : 3, 0"}}, "wall particles", "floor"),
                 boundary_of("polyline", {{"Points", "0, 0 : 0, 2; 3, 0 : 3, 2"}}, "free slip", "sides"),
                 boundary_of("polyline", {{"Points", "0, 3 : 3, 3"}}, "wall particles", "lid")},
@@ -198,6 +198,10 @@ void test_parts()
   check("each fluid has its law", two.materials().n_fluids() == 2 &&
                                     two.materials().law(0).yield_stress(0.).value > 0. &&
                                     two.materials().law(1).yield_stress(0.).value == 0.);
+  right.further                = {};
+  const InitialGeometry<2> one = make_geometry<2>({left, right});
+  check("fluids of the same law are one",
+        one.materials().n_fluids() == 1 && one.fluid_names() == std::vector<std::string>{"left and right"});
   right.of_shape = {{"Corners", "0.5, 0 : 3, 0 : 3, 1 : 2, 1"}};
   right.further  = {};
   check_error("overlapping fluids", {left, right}, {"Fluid 'left' overlaps fluid 'right'"});
