@@ -251,7 +251,7 @@ namespace Lahar
   void FICFreeSurface<dim>::assemble(const FluidCell<dim> &cell, const unsigned int k,
                                      CellSystem<dim> &system) const
   {
-    Assert(!cell.is_ring, ExcNotImplemented());
+    Assert(!cell.is_ring, ExcMessage("'FIC' is refused with rotational symmetry."));
     // n = −G_k/|G_k|, 1/h_n = |G_k| and the face's area is dim V |G_k|, so that everything is polynomial in G and V.
     using S                   = CellSystem<dim>;
     constexpr unsigned n      = dim + 1;

@@ -16,15 +16,7 @@ using namespace Tests;
 void make_mesh(ParticleCloud<2> &cloud, FluidMesh<2> &mesh)
 {
   const Polygon polygon = {{0., 0.}, {1., 0.}, {1.2, 0.5}, {0.5, 0.5}, {0.5, 1.}, {0., 1.}};
-  const double h        = 0.1;
-  for (const Point<2> &p : fill_polygon(polygon, h))
-    cloud.append(p, distance_to_contour(polygon, p) < 1e-10 ? ParticleKind::wall : ParticleKind::fluid, h);
-  std::vector<Simplex<2>> cells;
-  for (const Simplex<2> &simplex : delaunay(cloud.position))
-    if (is_inside(polygon, centroid<2>(corners_of<2>(simplex, cloud.position))) &&
-        signed_volume<2>(corners_of<2>(simplex, cloud.position)) > 1e-8)
-      cells.push_back(simplex);
-  mesh.reinit(cloud, cells);
+  mesh_polygon(polygon, 0.1, cloud, mesh);
   check("2D mesh fills the polygon", mesh.volume(cloud) - signed_area(polygon), 1e-12);
 }
 

@@ -14,19 +14,6 @@
 
 using namespace Tests;
 
-/// All points on the contour count as walls.
-void make_mesh(const Polygon &polygon, const double h, ParticleCloud<2> &cloud, FluidMesh<2> &mesh)
-{
-  for (const Point<2> &p : fill_polygon(polygon, h))
-    cloud.append(p, distance_to_contour(polygon, p) < 1e-10 ? ParticleKind::wall : ParticleKind::fluid, h);
-  std::vector<Simplex<2>> cells;
-  for (const Simplex<2> &simplex : delaunay(cloud.position))
-    if (is_inside(polygon, centroid<2>(corners_of<2>(simplex, cloud.position))) &&
-        signed_volume<2>(corners_of<2>(simplex, cloud.position)) > 1e-8)
-      cells.push_back(simplex);
-  mesh.reinit(cloud, cells);
-}
-
 /// No radial velocity, and no axial one if @p all.
 NodeConstraint<2> fixed(const bool all)
 {
@@ -40,7 +27,7 @@ void check_extension()
   const Polygon polygon = {{0., 0.}, {1., 0.}, {1.2, 0.5}, {0.5, 0.5}, {0.5, 1.}, {0., 1.}};
   ParticleCloud<2> cloud;
   FluidMesh<2> mesh;
-  make_mesh(polygon, 0.1, cloud, mesh);
+  mesh_polygon(polygon, 0.1, cloud, mesh);
   // A frustum with the radii 1 and 1.2, and a cylinder.
   const double volume = numbers::PI * (0.5 * (1. + 1.2 + 1.44) / 3. + 0.125);
   check("volume of the mesh", mesh.volume(cloud) - volume, 1e-12);
@@ -89,7 +76,7 @@ void check_rest()
   const Polygon polygon = {{0., 0.}, {1., 0.}, {1., 0.7}, {0., 0.7}};
   ParticleCloud<2> cloud;
   FluidMesh<2> mesh;
-  make_mesh(polygon, 0.1, cloud, mesh);
+  mesh_polygon(polygon, 0.1, cloud, mesh);
   const auto law = make_law("Newtonian", {{"Density", "2"}, {"Viscosity", "0.1"}});
   Stokes<2> stokes(mesh, cloud, *law, Tensor<1, 2>({0., -3.}), 1e-3, "");
   for (unsigned int v = 0; v < stokes.mesh.n_vertices(); ++v)
@@ -140,7 +127,7 @@ double pipe_error(const double tau_0, const double m, const unsigned int n)
   const Polygon polygon = {{0., 0.}, {1., 0.}, {1., 0.4}, {0., 0.4}};
   ParticleCloud<2> cloud;
   FluidMesh<2> mesh;
-  make_mesh(polygon, 1. / n, cloud, mesh);
+  mesh_polygon(polygon, 1. / n, cloud, mesh);
   const auto law = make_law("Bingham", {{"Density", "1"},
                                         {"Plastic viscosity", "1"},
                                         {"Yield stress", std::to_string(tau_0)},

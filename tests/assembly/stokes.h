@@ -4,12 +4,31 @@
 #define lahar_tests_assembly_stokes_h
 
 #include <lahar/assembly/fluid_assembler.h>
+#include <lahar/geometry/delaunay.h>
+#include <lahar/geometry/polygon.h>
 #include <lahar/linear/direct_solver.h>
 
 #include "tests.h"
 
 namespace Tests
 {
+  /// Triangles of the size @p h that fill a polygon. All points on its contour count as walls, so that no face is a free
+  /// surface.
+  inline void mesh_polygon(const Polygon &polygon, const double h, ParticleCloud<2> &cloud,
+                           FluidMesh<2> &mesh)
+  {
+    for (const Point<2> &p : fill_polygon(polygon, h))
+      cloud.append(p, distance_to_contour(polygon, p) < 1e-10 ? ParticleKind::wall : ParticleKind::fluid, h);
+    std::vector<Simplex<2>> cells;
+    for (const Simplex<2> &simplex : delaunay(cloud.position))
+      if (is_inside(polygon, centroid<2>(corners_of<2>(simplex, cloud.position))) &&
+          signed_volume<2>(corners_of<2>(simplex, cloud.position)) > 1e-8)
+        cells.push_back(simplex);
+    mesh.reinit(cloud, cells);
+  }
+
+
+
   /**
    * Creeping flow without inertia on a mesh that moves so little in a step that its geometry stays, but for the cells'
    * volumes in the mass equation. The length given as time step enters the stabilisation parameter. On several ranks each

@@ -8,6 +8,7 @@
 #include <functional>
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 namespace Tests
 {
@@ -74,6 +75,23 @@ namespace Tests
                               {"Exponent", to_text(q)}});
   }
 
+  /// A value that a law must refuse.
+  struct WrongEntry
+  {
+    std::string law, entry, value;
+  };
+
+  /// Each value is refused with the entry's path, the value and what is allowed.
+  inline void check_refused(const std::vector<WrongEntry> &all)
+  {
+    for (const WrongEntry &wrong : all)
+      check_throws<InputError>(wrong.law + ": " + wrong.entry + " = " + wrong.value + " is refused",
+                               {"'" + wrong.law + "/" + wrong.entry + "'", "'" + wrong.value + "'",
+                                "Allowed"},
+                               [&wrong]() {
+                                 make_law(wrong.law, {{wrong.entry, wrong.value}});
+                               });
+  }
 } // namespace Tests
 
 #endif
