@@ -2,7 +2,9 @@
 
 #include <lahar/geometry/gmsh_file.h>
 #include <lahar/geometry/gmsh_input.h>
+#include <lahar/geometry/gmsh_model.h>
 #include <lahar/utilities/assignment.h>
+#include <lahar/utilities/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +43,10 @@ namespace Lahar
   class GmshFile<dim>::Parser
   {
   public:
-    Parser(GmshFile &mesh, const double scale)
+    Parser(GmshFile &mesh, const std::string &mesh_file, const double scale)
       : mesh(mesh)
       , scale(scale)
-      , in(mesh.file_name)
+      , in(mesh_file)
     {}
 
     void parse()
@@ -355,14 +357,27 @@ namespace Lahar
 
 
   template <int dim>
-  GmshFile<dim>::GmshFile(const std::string &file_name, const double scale)
+  GmshFile<dim>::GmshFile(const std::string &file_name, const double scale, const double element_size)
     : file_name(file_name)
   {
-    Parser(*this, scale).parse();
+    if (!GmshModel::is_geometry(file_name))
+    {
+      Parser(*this, file_name, scale).parse();
+      return;
+    }
+    const GmshModel model(file_name, dim, element_size / scale);
+    try
+    {
+      Parser(*this, model.mesh_file(), scale).parse();
+    }
+    catch (const InputError &error)
+    {
+      throw InputError("The mesh that gmsh makes of '" + file_name + "' cannot be used: " + error.what());
+    }
   }
 
 
 
-  template GmshFile<2>::GmshFile(const std::string &, const double);
-  template GmshFile<3>::GmshFile(const std::string &, const double);
+  template GmshFile<2>::GmshFile(const std::string &, const double, const double);
+  template GmshFile<3>::GmshFile(const std::string &, const double, const double);
 } // namespace Lahar

@@ -21,7 +21,7 @@ namespace Lahar
     {
       const MeshEntries entries(prm);
       path = entries.scale_path;
-      const GmshFile<dim> file(entries.file_name, entries.scale);
+      const GmshFile<dim> file(entries.file_name, entries.scale, entries.element_size);
       for (const std::string &group : entries.groups)
       {
         WallShape<dim> wall;

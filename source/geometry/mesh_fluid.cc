@@ -50,7 +50,7 @@ namespace Lahar
     const MeshEntries entries(prm);
     scale      = entries.scale;
     scale_path = entries.scale_path;
-    const GmshFile<dim> file(entries.file_name, scale);
+    const GmshFile<dim> file(entries.file_name, scale, entries.element_size);
     for (const std::string &group : entries.groups)
     {
       std::vector<Point<dim>> of_group;

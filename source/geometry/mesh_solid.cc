@@ -66,7 +66,7 @@ namespace Lahar
     path = entries.scale_path;
     if (entries.groups.size() != 1)
       prm.throw_wrong_value("Groups", "one group, as parts of a solid share their nodes");
-    const GmshFile<dim> file(entries.file_name, entries.scale);
+    const GmshFile<dim> file(entries.file_name, entries.scale, entries.element_size);
     std::vector<Simplex<dim>> simplices;
     file.cells_of(entries.groups[0], vertices, simplices);
     for (Simplex<dim> simplex : simplices)

@@ -227,6 +227,14 @@ def test_refused():
     refused("unknown fluid group", ["'water'", "'fluid'"], *mesh(FLUID, MESH, "water"))
     refused("groups without a file", ["'Fluids/fluid/mesh/File'", "gmsh", "llowed"], *mesh(FLUID, "", "fluid"))
     refused("a file without groups", ["'Boundaries/walls/mesh/Groups'", "physical groups", "llowed"], *mesh(WALLS, MESH, ""))
+    refused("a size of elements that are there", ["'Fluids/fluid/mesh/Element size'", "0.01", MESH, "llowed: 0"],
+            *mesh(FLUID, MESH, "fluid"), *set_entry(FLUID + "mesh/Element size", "0.01"))
+    refused("a drawing without a size of elements", ["'Fluids/fluid/mesh/Element size'", "tank.step", "llowed"],
+            *mesh(FLUID, "tank.step", "1"))
+    refused("a missing drawing", ["tank.step", "does not exist", "llowed"], *mesh(FLUID, "tank.step", "1"),
+            *set_entry(FLUID + "mesh/Element size", "0.01"))
+    refused("a script that gmsh cannot read", ["wrong.geo", "line 1", "llowed"], *mesh(FLUID, "wrong.geo", "fluid"),
+            prepare=lambda directory: write(directory, "wrong.geo", "Point(1) = {0, 0;\n"))
     refused("a mesh file that is none", ["case.prm:", "$MeshFormat"], *mesh(FLUID, "case.prm", "fluid"))
 
     # What would need too much memory.

@@ -20,8 +20,8 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * The points and the physical groups of a gmsh mesh (file format 2 or 4.1, ASCII or binary, or 4.0, ASCII): what the
-   * cloud needs of it.
+   * The points and the physical groups of a gmsh mesh (file format 2 or 4.1, ASCII or binary, or 4.0, ASCII), or of a
+   * geometry that gmsh meshes (GmshModel): what the cloud needs of it.
    *
    * A group is called by its name, or by its tag if no group of its dimension has that name. Groups of cells are made
    * of triangles and quadrilaterals in the plane, of tetrahedra in space; groups of facets of lines in the plane, of
@@ -33,9 +33,12 @@ namespace Lahar
   class GmshFile
   {
   public:
-    /// Read the file and multiply its coordinates by @p scale. @throws InputError with file name and line (byte) for a
-    /// missing, truncated or malformed file.
-    explicit GmshFile(const std::string &file_name, const double scale = 1.);
+    /**
+     * Read the file and multiply its coordinates by @p scale.
+     * @param element_size length of edges that gmsh aims at in a geometry, m; 0: what the file says.
+     * @throws InputError with file name and line (byte) for a missing, truncated or malformed file.
+     */
+    explicit GmshFile(const std::string &file_name, const double scale = 1., const double element_size = 0.);
 
     /// Corners of the cells of @p group, a physical surface (in space: volume), each once, by ascending node tag.
     /// @throws InputError with the names that exist.

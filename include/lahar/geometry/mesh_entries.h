@@ -19,6 +19,7 @@ namespace Lahar
     std::string file_name;
     double scale = 1.;               ///< m per unit of the file
     std::vector<std::string> groups; ///< at least one
+    double element_size = 0.;        ///< length of edges that gmsh aims at, m; 0: as the file says
     std::string scale_path;          ///< the full path of the entry 'Scale'
 
     /// Read the handler's current section. @throws InputError
