@@ -102,6 +102,13 @@ def test_old_entries():
         old = ("No-slip walls", "Slip walls")[law == "free slip"]
         refused("the law that says what %s were" % old, ["/Law = %s'" % law], *set_entry("Geometry/" + old, "0, 0 : 1, 0"))
 
+    # A slip of the pen in today's form is none of them.
+    refused("a subsection 'Fluid' of today's form", ["case.prm:", "there is no entry 'Fluid/fluid/Shape'", "'Fluids/fluid/Shape'"],
+            text=GOOD.replace("subsection Fluids", "subsection Fluid"))
+    refused("many old entries", ["There are 2 more such entries", "convert-case"], text=TOP + section("Fluid", section(
+        "Bingham", "".join("set %s = 1\n" % name for name in ("Density", "Yield stress", "Plastic viscosity", "Yield",
+                                                              "Bulk modulus", "Regularization", "A", "B")))))
+
     # Each of them, with its line.
     with tempfile.TemporaryDirectory() as directory:
         result = run(directory, "case.prm", text=TOP + """set Initial velocity = 0; 0
