@@ -15,8 +15,8 @@ namespace Lahar
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const override
     {
       using S                     = CellSystem<dim>;
-      const auto &G               = cell.gradients;
-      const double tau_V          = cell.stabilization * cell.volume;
+      const auto &G               = cell.gradients();
+      const double tau_V          = cell.stabilization() * cell.volume();
       const Tensor<1, dim> grad_p = cell.pressure_gradient();
 
       for (unsigned int I = 0; I <= dim; ++I)
@@ -28,7 +28,7 @@ namespace Lahar
           system.matrix[S::pressure_index(I)][S::pressure_index(J)] += tau_V * (G[I] * G[J]);
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::pressure_index(I)][S::index(J, b)] +=
-              tau_V * cell.motion *
+              tau_V * cell.motion() *
               (G[J][b] * G_grad_p - G[I][b] * (G[J] * grad_p) - (G[I] * G[J]) * grad_p[b]);
         }
       }

@@ -25,8 +25,8 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(n_components() * snapshot.mesh.n_cells());
-      for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        const Tensor<2, dim> &L = cell.velocity_gradient; // L_ij = ∂v_i/∂x_j
+      for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
+        const Tensor<2, dim> &L = cell.velocity_gradient(); // L_ij = ∂v_i/∂x_j
         if constexpr (dim == 2)
           values[c] = L[1][0] - L[0][1];
         else

@@ -16,21 +16,21 @@ namespace Lahar
                               CellSystem<2> &system)
     {
       using S                      = CellSystem<2>;
-      const auto &G                = cell.gradients;
+      const auto &G                = cell.gradients();
       const auto &[stress_G, A, B] = traction;
-      const double eta = cell.hoop_gradient, hoop_stress = -trace(stress);
+      const double eta = cell.hoop_gradient(), hoop_stress = -trace(stress);
       const double hoop_A = -trace(tangent.A), hoop_B = -trace(tangent.B);
-      const double mu_V = tangent.viscosity * cell.volume, c_V = tangent.coefficient * cell.volume,
-                   s_V = cell.motion * cell.volume;
+      const double mu_V = tangent.viscosity * cell.volume(), c_V = tangent.coefficient * cell.volume(),
+                   s_V = cell.motion() * cell.volume();
       for (unsigned int I = 0; I < 3; ++I)
       {
-        system.residual[S::index(I, radial)] += cell.volume * eta * hoop_stress;
+        system.residual[S::index(I, radial)] += cell.volume() * eta * hoop_stress;
         for (unsigned int J = 0; J < 3; ++J)
         {
-          const double hoop = eta * cell.hoop_w[J]; // δL_θθ
+          const double hoop = eta * cell.hoop_w()[J]; // δL_θθ
           for (unsigned int b = 0; b < 2; ++b)
           {
-            const Tensor<1, 2> &w = cell.w[J][b];
+            const Tensor<1, 2> &w = cell.w()[J][b];
             system.matrix[S::index(I, radial)][S::index(J, b)] +=
               eta * (-2. / 3. * mu_V * (w * G[J]) + c_V * (hoop_A * (w * B[J]) + hoop_B * (w * A[J])) +
                      s_V * hoop_stress * G[J][b]);
@@ -54,9 +54,9 @@ namespace Lahar
   {
     using S              = CellSystem<dim>;
     constexpr unsigned n = dim + 1;
-    const auto &G        = cell.gradients;
-    const double mu_V    = tangent.viscosity * cell.volume;
-    const double c_V     = tangent.coefficient * cell.volume;
+    const auto &G        = cell.gradients();
+    const double mu_V    = tangent.viscosity * cell.volume();
+    const double c_V     = tangent.coefficient * cell.volume();
 
     std::array<Tensor<1, dim>, n> traction, A, B;
     for (unsigned int I = 0; I < n; ++I)
@@ -65,14 +65,14 @@ namespace Lahar
       A[I]        = tangent.A * G[I];
       B[I]        = tangent.B * G[I];
       for (unsigned int a = 0; a < dim; ++a)
-        system.residual[S::index(I, a)] += cell.volume * traction[I][a];
+        system.residual[S::index(I, a)] += cell.volume() * traction[I][a];
     }
 
     for (unsigned int J = 0; J < n; ++J)
       for (unsigned int b = 0; b < dim; ++b)
       {
-        const Tensor<1, dim> &w = cell.w[J][b];
-        const double w_G = w * G[J], w_A = w * A[J], w_B = w * B[J], s_V = cell.motion * cell.volume;
+        const Tensor<1, dim> &w = cell.w()[J][b];
+        const double w_G = w * G[J], w_A = w * A[J], w_B = w * B[J], s_V = cell.motion() * cell.volume();
         for (unsigned int I = 0; I < n; ++I)
         {
           const double w_GI = w * G[I], GG = G[I] * G[J];
@@ -84,7 +84,7 @@ namespace Lahar
         }
       }
     if constexpr (dim == 2)
-      if (cell.is_ring)
+      if (cell.is_ring())
         assemble_hoop_stress(cell, tangent, stress, {{traction, A, B}}, system);
   }
 

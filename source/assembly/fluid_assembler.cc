@@ -22,14 +22,6 @@ namespace Lahar
 
 
 
-  namespace
-  {
-    /// Cells that keep less than this part of their volume in the step leave the derivatives of their geometry out.
-    constexpr double smallest_volume_ratio = 0.7;
-  } // namespace
-
-
-
   template <int dim>
   void FluidAssembler<dim>::declare_parameters(Parameters &prm)
   {
@@ -64,28 +56,21 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidAssembler<dim>::gather(const Simplex<dim> &vertices, const FluidState<dim> &state,
-                                   FluidCell<dim> &cell) const
+  FluidCell<dim> FluidAssembler<dim>::make_cell(const FluidMesh<dim> &mesh, const Materials &materials,
+                                                const FluidState<dim> &state, const unsigned int c,
+                                                const bool linearize_motion)
   {
-    for (unsigned int I = 0; I <= dim; ++I)
-    {
-      cell.velocity[I]            = state.velocity[vertices[I]];
-      cell.acceleration[I]        = state.acceleration[vertices[I]];
-      cell.pressure[I]            = state.pressure[vertices[I]];
-      cell.old_pressure[I]        = state.old_pressure[vertices[I]];
-      cell.old_pressure_rate[I]   = state.old_pressure_rate[vertices[I]];
-      cell.velocity_factor[I]     = state.velocity_factor[vertices[I]];
-      cell.acceleration_factor[I] = state.acceleration_factor[vertices[I]];
-    }
+    return {state, c, mesh.cells()[c], mesh.fluid(c), materials.law(mesh.fluid(c)), linearize_motion};
   }
 
 
 
   template <int dim>
   void FluidAssembler<dim>::set_stabilization(const FluidMesh<dim> &mesh, const Materials &materials,
-                                              const Tensor<1, dim> &gravity, FluidState<dim> &state) const
+                                              FluidState<dim> &state) const
   {
-    FluidCell<dim> cell;
+    state.plastic_dual.clear();
+    state.residual_projection.assign(materials.n_fluids() * mesh.n_vertices(), Tensor<1, dim>());
     state.stabilization.resize(mesh.n_cells());
     state.stabilization_viscosity.resize(mesh.n_cells());
     state.left_out.assign(mesh.n_cells(), false);
@@ -100,16 +85,16 @@ namespace Lahar
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       const FluidLaw &law = materials.law(mesh.fluid(c));
-      gather(mesh.cells()[c], state, cell);
-      cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
+      const CellFlow<dim> cell(state.shape_of(c, mesh.cells()[c]), mesh.cells()[c], state.velocity,
+                               state.pressure);
       const double edge    = cell.edge();
-      const double mu_eff  = law.effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
+      const double mu_eff  = law.effective_viscosity(cell.strain_rate(), cell.confining_pressure()).value;
       const double mu      = std::min(mu_eff, viscosity_limit);
       const double inertia = 2. * law.density() / state.time_step;
       double speed         = 0.;
-      for (const Tensor<1, dim> &v : cell.velocity)
+      for (const Tensor<1, dim> &v : cell.velocity())
         speed = std::max(speed, v.norm());
-      const double slowest = (law.density() * gravity).norm() /
+      const double slowest = (law.density() * state.gravity).norm() /
                              (largest_leak * std::max(speed, smallest_speed));
       state.stabilization_viscosity[c] = mu;
       state.stabilization[c]           = 1. / std::max(8. * mu / (edge * edge) + inertia,
@@ -119,20 +104,12 @@ namespace Lahar
     }
 
     if (!stabilization->projects_residual())
-    {
-      state.residual_projection.assign(materials.n_fluids() * mesh.n_vertices(), Tensor<1, dim>());
       return;
-    }
     std::vector<ResidualProjection<dim>> projections(materials.n_fluids(),
                                                      ResidualProjection<dim>(mesh.n_vertices()));
-    cell.gravity = gravity;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      cell.law = &materials.law(mesh.fluid(c));
-      gather(mesh.cells()[c], state, cell);
-      if (any_exact)
-        cell.multiplier = state.multiplier[c];
-      cell.reinit(corners_of<dim>(mesh.cells()[c], state.old_position), false);
+      const FluidCell<dim> cell = make_cell(mesh, materials, state, c);
       projections[mesh.fluid(c)].add(mesh.cells()[c], cell);
       if (any_exact && state.stands[c])
         state.standing_projection[c] = cell.momentum_residual(0.);
@@ -151,16 +128,11 @@ namespace Lahar
   void FluidAssembler<dim>::start_plastic_dual(const FluidMesh<dim> &mesh, const Materials &materials,
                                                FluidState<dim> &state) const
   {
-    FluidCell<dim> cell;
     state.plastic_dual.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      cell.law = &materials.law(mesh.fluid(c));
-      gather(mesh.cells()[c], state, cell);
-      if (cell.law->has_exact_yield_stress())
-        cell.multiplier = state.multiplier[c];
-      cell.reinit(corners_of<dim>(mesh.cells()[c], state.position), false);
-      state.plastic_dual[c] = 2. * cell.law->plastic_part(cell.plastic_strain_rate()).value *
+      const FluidCell<dim> cell = make_cell(mesh, materials, state, c);
+      state.plastic_dual[c]     = 2. * cell.law().plastic_part(cell.plastic_strain_rate()).value *
                               cell.plastic_rate();
     }
   }
@@ -174,7 +146,6 @@ namespace Lahar
                                                  std::vector<SymmetricTensor<2, dim>> &base,
                                                  std::vector<SymmetricTensor<2, dim>> &slope) const
   {
-    FluidCell<dim> cell;
     base.resize(mesh.n_cells());
     slope.resize(mesh.n_cells());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -183,19 +154,15 @@ namespace Lahar
       base[c] = slope[c] = SymmetricTensor<2, dim>();
       if (state.left_out[c] || !law.has_yield_stress())
         continue;
-      cell.law                     = &law;
       const Simplex<dim> &vertices = mesh.cells()[c];
-      gather(vertices, state, cell);
-      if (law.has_exact_yield_stress())
-        cell.multiplier = state.multiplier[c];
-      cell.reinit(state.shape_of(c, vertices), false);
+      const FluidCell<dim> cell    = make_cell(mesh, materials, state, c);
 
       Tensor<2, dim> delta_L;
       for (unsigned int I = 0; I <= dim; ++I)
-        delta_L += cell.velocity_factor[I] * outer_product(increment[vertices[I]], cell.gradients[I]);
+        delta_L += cell.velocity_factor()[I] * outer_product(increment[vertices[I]], cell.gradients()[I]);
       double delta_hoop = 0.;
-      for (unsigned int I = 0; I <= dim && cell.is_ring; ++I)
-        delta_hoop += cell.velocity_factor[I] * increment[vertices[I]][0] * cell.hoop_gradient;
+      for (unsigned int I = 0; I <= dim && cell.is_ring(); ++I)
+        delta_hoop += cell.velocity_factor()[I] * increment[vertices[I]][0] * cell.hoop_gradient();
       const SymmetricTensor<2, dim> delta_d = symmetrize(delta_L) - (trace(delta_L) + delta_hoop) / 3. *
                                                                       unit_symmetric_tensor<dim>();
 
@@ -223,11 +190,11 @@ namespace Lahar
     system.clear();
     for (unsigned int I = 0; I <= dim; ++I)
     {
-      const double part = cell.is_ring ? cell.old_shares[I] : cell.old_volume / (dim + 1.);
+      const double part = cell.is_ring() ? cell.old_shares()[I] : cell.old_volume() / (dim + 1.);
       for (unsigned int a = 0; a < dim; ++a)
-        system.matrix[I * (dim + 1) + a][I * (dim + 1) + a] = cell.law->density() * part *
-                                                              cell.acceleration_factor[I];
-      system.matrix[I * (dim + 1) + dim][I * (dim + 1) + dim] = cell.stabilization *
+        system.matrix[I * (dim + 1) + a][I * (dim + 1) + a] = cell.law().density() * part *
+                                                              cell.acceleration_factor()[I];
+      system.matrix[I * (dim + 1) + dim][I * (dim + 1) + dim] = cell.stabilization() *
                                                                 std::pow(part, 1. - 2. / dim);
     }
   }
@@ -236,8 +203,8 @@ namespace Lahar
 
   template <int dim>
   bool FluidAssembler<dim>::assemble(const FluidMesh<dim> &mesh, const Materials &materials,
-                                     const Tensor<1, dim> &gravity, const FluidState<dim> &state,
-                                     const Linearization &linearization, BlockSystem<dim> &system) const
+                                     const FluidState<dim> &state, const Linearization &linearization,
+                                     BlockSystem<dim> &system) const
   {
     const Inertia<dim> inertia;
     const BodyForce<dim> body_force;
@@ -246,47 +213,28 @@ namespace Lahar
     const PressureDivergence<dim> pressure_divergence;
     const FlatPressureDivergence<dim> flat_pressure_divergence;
 
-    FluidCell<dim> cell;
     CellSystem<dim> cell_system;
-    cell.gravity   = gravity;
-    cell.time_step = state.time_step;
-
     AssertDimension(mesh.n_cells(), system.cells().size());
     system.set_zero();
     auto face = mesh.boundary_faces().begin();
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      cell.law = &materials.law(mesh.fluid(c));
-      gather(mesh.cells()[c], state, cell);
-      const auto corners = state.shape_of(c, mesh.cells()[c]);
-      cell.old_volume    = signed_volume<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
-      if (cell.is_ring)
-        cell.old_shares = body_volume_shares<dim>(corners_of<dim>(mesh.cells()[c], state.old_position));
-      cell.stabilization           = state.stabilization[c];
-      cell.stabilization_viscosity = state.stabilization_viscosity[c];
+      const FluidCell<dim> cell = make_cell(mesh, materials, state, c, linearization.motion);
       if (state.left_out[c])
       {
         leave_out(cell, cell_system);
         system.add(c, cell_system.matrix, cell_system.residual);
         continue;
       }
-      cell.reinit(corners, linearization.motion && !state.sliver[c] &&
-                             signed_volume<dim>(corners) > smallest_volume_ratio * cell.old_volume);
-      if (!(cell.volume > 0.))
+      if (!(cell.volume() > 0.))
         return false;
-      cell.residual_projection = state.projection_of(c, mesh.cells()[c], mesh.fluid(c));
-      if (linearization.viscosity == ViscosityLinearization::primal_dual)
-        cell.plastic_dual = state.plastic_dual[c];
 
       cell_system.clear();
       inertia.assemble(cell, cell_system);
       body_force.assemble(cell, cell_system);
       viscous_stress.assemble(cell, cell_system);
-      if (cell.law->has_exact_yield_stress())
-      {
-        cell.multiplier = state.multiplier[c];
+      if (cell.law().has_exact_yield_stress())
         exact_plastic_stress.assemble(cell, cell_system);
-      }
       if (state.sliver[c])
         flat_pressure_divergence.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
                                           cell_system);

@@ -1,57 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/assembly/fluid_cell.h>
-#include <lahar/geometry/simplex_geometry.h>
 
 namespace Lahar
 {
-  template <int dim>
-  void FluidCell<dim>::reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion)
+  namespace
   {
-    section = signed_volume<dim>(x);
-    volume  = is_ring && section > 0. ? body_volume<dim>(x) : section;
-    if (!(volume > 0.))
-      return;
-    gradients = shape_gradients<dim>(x);
+    /// Cells that keep less than this part of their volume in the step leave the derivatives of their geometry out.
+    constexpr double smallest_volume_ratio = 0.7;
+  } // namespace
 
-    velocity_gradient = Tensor<2, dim>();
+
+
+  template <int dim>
+  FluidCell<dim>::FluidCell(const FluidState<dim> &state, const unsigned int c, const Simplex<dim> &vertices,
+                            const unsigned int fluid, const FluidLaw &law, const bool linearize_motion)
+    : CellFlow<dim>(state.shape_of(c, vertices), vertices, state.velocity, state.pressure)
+    , cell_law(&law)
+    , dt(state.time_step)
+    , g(state.gravity)
+    , tau_s(state.stabilization[c])
+    , mu_s(state.stabilization_viscosity[c])
+    , pi(state.projection_of(c, vertices, fluid))
+  {
+    const SimplexCorners<dim> old_corners = corners_of<dim>(vertices, state.old_position);
+    V_old                                 = signed_volume<dim>(old_corners);
+    if (this->is_ring())
+      shares_old = body_volume_shares<dim>(old_corners);
     for (unsigned int I = 0; I < n_nodes; ++I)
-      velocity_gradient += outer_product(velocity[I], gradients[I]);
-
-    motion    = linearize_motion ? time_step : 0.;
-    expansion = gradients;
-    if (is_ring)
     {
-      double sum_of_radii = 0., sum_of_velocities = 0.;
-      for (unsigned int I = 0; I < n_nodes; ++I)
-      {
-        radius[I] = x[I][0];
-        sum_of_radii += radius[I];
-        sum_of_velocities += velocity[I][0];
-      }
-      hoop_gradient = 1. / sum_of_radii;
-      hoop_rate     = hoop_gradient * sum_of_velocities;
+      a[I]          = state.acceleration[vertices[I]];
+      p_old[I]      = state.old_pressure[vertices[I]];
+      p_rate_old[I] = state.old_pressure_rate[vertices[I]];
+      c_v[I]        = state.velocity_factor[vertices[I]];
+      c_a[I]        = state.acceleration_factor[vertices[I]];
+    }
+    if (!state.plastic_dual.empty())
+      dual = state.plastic_dual[c];
+    if (law.has_exact_yield_stress())
+      Lambda_k = state.multiplier[c];
+    if (!(this->volume() > 0.))
+      return;
+
+    if (linearize_motion && !state.sliver[c] && this->section() > smallest_volume_ratio * V_old)
+      s = dt;
+    E = this->gradients();
+    if (this->is_ring())
       for (unsigned int J = 0; J < n_nodes; ++J)
       {
-        expansion[J][0] += hoop_gradient;
-        hoop_w[J] = velocity_factor[J] - motion * hoop_rate;
+        E[J][0] += this->hoop_gradient();
+        delta_L_hoop[J] = c_v[J] - s * this->hoop_rate();
       }
-    }
-
-    // The deviator's out-of-plane component, −tr(d)/3 in plane strain, counts in γ̇.
-    const double third        = (trace(velocity_gradient) + hoop_rate) / 3.;
-    const double out_of_plane = hoop_rate - third;
-    deviator                  = symmetrize(velocity_gradient) - third * unit_symmetric_tensor<dim>();
-    strain_rate = std::sqrt(2. * (deviator * deviator + (3 - dim) * out_of_plane * out_of_plane));
-
+    const Tensor<2, dim> &L = this->velocity_gradient();
     for (unsigned int J = 0; J < n_nodes; ++J)
       for (unsigned int b = 0; b < dim; ++b)
         for (unsigned int i = 0; i < dim; ++i)
-          w[J][b][i] = (i == b ? velocity_factor[J] : 0.) - motion * velocity_gradient[i][b];
+          delta_L[J][b][i] = (i == b ? c_v[J] : 0.) - s * L[i][b];
   }
 
 
 
-  template struct FluidCell<2>;
-  template struct FluidCell<3>;
+  template class FluidCell<2>;
+  template class FluidCell<3>;
 } // namespace Lahar

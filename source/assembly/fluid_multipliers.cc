@@ -8,17 +8,13 @@ namespace Lahar
   void FluidAssembler<dim>::update_multipliers(const FluidMesh<dim> &mesh, const Materials &materials,
                                                FluidState<dim> &state) const
   {
-    FluidCell<dim> cell;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       if (state.left_out[c])
         continue;
-      cell.law = &materials.law(mesh.fluid(c));
-      gather(mesh.cells()[c], state, cell);
-      cell.multiplier = state.multiplier[c];
-      cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
-      if (cell.volume > 0.)
-        state.multiplier[c] = project_deviator<dim>(2. * cell.law->augmentation() * cell.plastic_rate());
+      const FluidCell<dim> cell = make_cell(mesh, materials, state, c);
+      if (cell.volume() > 0.)
+        state.multiplier[c] = project_deviator<dim>(2. * cell.law().augmentation() * cell.plastic_rate());
     }
   }
 
@@ -30,7 +26,6 @@ namespace Lahar
                                  const FluidState<dim> &state, const std::vector<bool> &counted) const
   {
     YieldGap result;
-    FluidCell<dim> cell;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       if (state.left_out[c] || !counted[c])
@@ -38,25 +33,22 @@ namespace Lahar
       const FluidLaw &law = materials.law(mesh.fluid(c));
       if (!materials.counts_in_gap(mesh.fluid(c)))
         continue;
-      cell.law = &law;
-      gather(mesh.cells()[c], state, cell);
-      if (law.has_exact_yield_stress())
-        cell.multiplier = state.multiplier[c];
-      cell.reinit(state.shape_of(c, mesh.cells()[c]), false);
-      if (!(cell.volume > 0.))
+      const FluidCell<dim> cell = make_cell(mesh, materials, state, c);
+      if (!(cell.volume() > 0.))
         continue;
       const double f    = law.plastic_part(cell.plastic_strain_rate()).value;
-      const double work = 2. * f * deviator_product<dim>(cell.plastic_rate(), cell.deviator);
-      result.gap += law.yield_stress(cell.confining_pressure()).value * cell.volume *
-                    std::max(0., cell.strain_rate - work);
+      const double work = 2. * f * deviator_product<dim>(cell.plastic_rate(), cell.deviator());
+      result.gap += law.yield_stress(cell.confining_pressure()).value * cell.volume() *
+                    std::max(0., cell.strain_rate() - work);
       double inertia = 0.;
       for (unsigned int I = 0; I <= dim; ++I)
         for (unsigned int J = 0; J <= dim; ++J)
-          inertia += cell.mass(I, J) * cell.acceleration_factor[I] / cell.velocity_factor[I] *
-                     (cell.velocity[I] * cell.velocity[J]);
-      result.energy += cell.volume * (law.density() * inertia +
-                                      law.viscous_part(cell.strain_rate, cell.confining_pressure()).value *
-                                        cell.strain_rate * cell.strain_rate);
+          inertia += cell.mass(I, J) * cell.acceleration_factor()[I] / cell.velocity_factor()[I] *
+                     (cell.velocity()[I] * cell.velocity()[J]);
+      result.energy += cell.volume() *
+                       (law.density() * inertia +
+                        law.viscous_part(cell.strain_rate(), cell.confining_pressure()).value *
+                          cell.strain_rate() * cell.strain_rate());
     }
     return result;
   }

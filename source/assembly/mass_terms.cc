@@ -34,10 +34,10 @@ namespace Lahar
                                  const std::array<double, dim + 1> &x, CellSystem<dim> &system)
     {
       using S = CellSystem<dim>;
-      if (cell.is_ring)
+      if (cell.is_ring())
         for (unsigned int I = 0; I <= dim; ++I)
           for (unsigned int K = 0; K <= dim; ++K)
-            system.matrix[S::pressure_index(I)][S::index(K, radial)] += cell.motion * factor *
+            system.matrix[S::pressure_index(I)][S::index(K, radial)] += cell.motion() * factor *
                                                                         cell.mass_by_radius(I, K, x);
     }
 
@@ -47,28 +47,28 @@ namespace Lahar
     {
       using S                      = CellSystem<dim>;
       constexpr unsigned n         = dim + 1;
-      const auto &G                = cell.gradients;
-      const double V               = cell.volume;
-      const double compressibility = cell.law->compressibility() / cell.time_step;
+      const auto &G                = cell.gradients();
+      const double V               = cell.volume();
+      const double compressibility = cell.law().compressibility() / cell.time_step();
       if (compressibility > 0.)
       {
         std::array<double, n> change;
         for (unsigned int I = 0; I < n; ++I)
-          change[I] = cell.pressure[I] - cell.old_pressure[I];
+          change[I] = cell.pressure()[I] - cell.old_pressure()[I];
         assemble_mass_by_radius(cell, compressibility, change, system);
         for (unsigned int I = 0; I < n; ++I)
         {
           double rate = 0.;
           for (unsigned int J = 0; J < n; ++J)
           {
-            rate += compressibility * cell.mass(I, J) * (cell.pressure[J] - cell.old_pressure[J]);
+            rate += compressibility * cell.mass(I, J) * (cell.pressure()[J] - cell.old_pressure()[J]);
             system.matrix[S::pressure_index(I)][S::pressure_index(J)] += compressibility * V *
                                                                          cell.mass(I, J);
           }
           system.residual[S::pressure_index(I)] += V * rate;
           for (unsigned int J = 0; J < n; ++J)
             for (unsigned int b = 0; b < dim; ++b)
-              system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * V * G[J][b] * rate;
+              system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion() * V * G[J][b] * rate;
         }
       }
     }
@@ -80,16 +80,16 @@ namespace Lahar
     {
       using S                         = CellSystem<dim>;
       constexpr unsigned n            = dim + 1;
-      const auto &G                   = cell.gradients;
+      const auto &G                   = cell.gradients();
       double p_V                      = 0.; // Σ p_K V_K
       std::array<double, n> by_radius = {}; // its derivatives where A does not change
       for (unsigned int K = 0; K < n; ++K)
       {
-        p_V += cell.pressure[K] * cell.share(K);
-        system.residual[S::pressure_index(K)] -= (cell.share(K) - cell.old_shares[K]) / cell.time_step;
+        p_V += cell.pressure()[K] * cell.share(K);
+        system.residual[S::pressure_index(K)] -= (cell.share(K) - cell.old_shares()[K]) / cell.time_step();
         for (unsigned int J = 0; J < n; ++J)
         {
-          by_radius[J] += cell.pressure[K] * cell.share_by_radius(K, J);
+          by_radius[J] += cell.pressure()[K] * cell.share_by_radius(K, J);
           for (unsigned int b = 0; b < dim; ++b)
           {
             const double D = cell.share(K) * G[J][b] + (b == radial ? cell.share_by_radius(K, J) : 0.);
@@ -105,7 +105,7 @@ namespace Lahar
           for (unsigned int J = 0; J < n; ++J)
             for (unsigned int b = 0; b < dim; ++b)
               system.matrix[S::index(I, a)][S::index(J, b)] +=
-                cell.motion *
+                cell.motion() *
                 (p_V * (G[J][b] * G[I][a] - G[J][a] * G[I][b]) + (b == radial ? by_radius[J] * G[I][a] : 0.) +
                  (a == radial ? by_radius[I] * G[J][b] : 0.));
         }
@@ -117,7 +117,7 @@ namespace Lahar
   template <int dim>
   void PressureDivergence<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    if (cell.is_ring)
+    if (cell.is_ring())
     {
       assemble_ring_divergence(cell, system);
       assemble_compression(cell, system);
@@ -125,10 +125,10 @@ namespace Lahar
     }
     using S              = CellSystem<dim>;
     constexpr unsigned n = dim + 1;
-    const auto &G        = cell.gradients;
-    const double V       = cell.volume;
+    const auto &G        = cell.gradients();
+    const double V       = cell.volume();
     const double p       = cell.mean_pressure();
-    const double growth  = (V - cell.old_volume) / cell.time_step;
+    const double growth  = (V - cell.old_volume()) / cell.time_step();
 
     for (unsigned int I = 0; I < n; ++I)
     {
@@ -139,7 +139,7 @@ namespace Lahar
       for (unsigned int J = 0; J < n; ++J)
         for (unsigned int b = 0; b < dim; ++b)
         {
-          const double s_V = cell.motion * V;
+          const double s_V = cell.motion() * V;
           system.matrix[S::index(I, b)][S::pressure_index(J)] += V / n * G[I][b];
           system.matrix[S::pressure_index(I)][S::index(J, b)] -= V / n * G[J][b];
           for (unsigned int a = 0; a < dim; ++a)
@@ -161,7 +161,7 @@ namespace Lahar
     constexpr unsigned n = dim + 1;
     const auto areas     = area_vectors<dim>(corners);
     const double p       = cell.mean_pressure();
-    const double growth  = (signed_volume<dim>(corners) - cell.old_volume) / cell.time_step;
+    const double growth  = (signed_volume<dim>(corners) - cell.old_volume()) / cell.time_step();
     for (unsigned int I = 0; I < n; ++I)
     {
       system.residual[S::pressure_index(I)] -= growth / n;
@@ -188,10 +188,10 @@ namespace Lahar
     {
       using S                     = CellSystem<dim>;
       constexpr unsigned n        = dim + 1;
-      const auto &G               = cell.gradients;
-      const double tau_V          = cell.stabilization * cell.volume;
+      const auto &G               = cell.gradients();
+      const double tau_V          = cell.stabilization() * cell.volume();
       const Tensor<1, dim> grad_p = cell.pressure_gradient();
-      const Tensor<1, dim> q      = cell.momentum_residual(inertia_density) - cell.residual_projection;
+      const Tensor<1, dim> q      = cell.momentum_residual(inertia_density) - cell.residual_projection();
 
       for (unsigned int I = 0; I < n; ++I)
       {
@@ -200,12 +200,12 @@ namespace Lahar
         for (unsigned int J = 0; J < n; ++J)
         {
           const double GG = G[I] * G[J], GJ_q = G[J] * q;
-          const double mass_factor = inertia_density * cell.acceleration_factor[J] / n;
+          const double mass_factor = inertia_density * cell.acceleration_factor()[J] / n;
           system.matrix[S::pressure_index(I)][S::pressure_index(J)] += tau_V * GG;
           for (unsigned int b = 0; b < dim; ++b)
             system.matrix[S::pressure_index(I)][S::index(J, b)] +=
               tau_V * (-mass_factor * G[I][b] +
-                       cell.motion * (cell.expansion[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
+                       cell.motion() * (cell.expansion()[J][b] * G_q - G[I][b] * GJ_q - GG * grad_p[b]));
         }
       }
     }
@@ -219,13 +219,13 @@ namespace Lahar
     using S = CellSystem<dim>;
     assemble_gradient_term(cell, 0., system);
 
-    const double dt = cell.time_step;
-    const double c  = cell.stabilization * cell.law->density() * cell.law->compressibility() / (dt * dt);
+    const double dt = cell.time_step();
+    const double c  = cell.stabilization() * cell.law().density() * cell.law().compressibility() / (dt * dt);
     if (c > 0.)
     {
       std::array<double, dim + 1> change;
       for (unsigned int I = 0; I <= dim; ++I)
-        change[I] = cell.pressure[I] - cell.old_pressure[I] - cell.old_pressure_rate[I] * dt;
+        change[I] = cell.pressure()[I] - cell.old_pressure()[I] - cell.old_pressure_rate()[I] * dt;
       assemble_mass_by_radius(cell, c, change, system);
       for (unsigned int I = 0; I <= dim; ++I)
       {
@@ -233,14 +233,14 @@ namespace Lahar
         for (unsigned int J = 0; J <= dim; ++J)
         {
           rate += c * cell.mass(I, J) *
-                  (cell.pressure[J] - cell.old_pressure[J] - cell.old_pressure_rate[J] * dt);
-          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += c * cell.volume * cell.mass(I, J);
+                  (cell.pressure()[J] - cell.old_pressure()[J] - cell.old_pressure_rate()[J] * dt);
+          system.matrix[S::pressure_index(I)][S::pressure_index(J)] += c * cell.volume() * cell.mass(I, J);
         }
-        system.residual[S::pressure_index(I)] += cell.volume * rate;
+        system.residual[S::pressure_index(I)] += cell.volume() * rate;
         for (unsigned int J = 0; J <= dim; ++J)
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion * cell.volume *
-                                                                   cell.gradients[J][b] * rate;
+            system.matrix[S::pressure_index(I)][S::index(J, b)] += cell.motion() * cell.volume() *
+                                                                   cell.gradients()[J][b] * rate;
       }
     }
   }
@@ -251,17 +251,17 @@ namespace Lahar
   void FICFreeSurface<dim>::assemble(const FluidCell<dim> &cell, const unsigned int k,
                                      CellSystem<dim> &system) const
   {
-    Assert(!cell.is_ring, ExcMessage("'FIC' is refused with rotational symmetry."));
+    Assert(!cell.is_ring(), ExcMessage("'FIC' is refused with rotational symmetry."));
     // n = −G_k/|G_k|, 1/h_n = |G_k| and the face's area is dim V |G_k|, so that everything is polynomial in G and V.
     using S                   = CellSystem<dim>;
     constexpr unsigned n      = dim + 1;
-    const auto &G             = cell.gradients;
+    const auto &G             = cell.gradients();
     const Tensor<1, dim> Gk   = G[k];
     const double Gk_square    = Gk.norm_square();
-    const double rho          = cell.law->density();
-    const double viscosity    = cell.stabilization_viscosity;
-    const double tau_V        = cell.stabilization * cell.volume;
-    const Tensor<1, dim> d_Gk = cell.deviator * Gk;
+    const double rho          = cell.law().density();
+    const double viscosity    = cell.stabilization_viscosity();
+    const double tau_V        = cell.stabilization() * cell.volume();
+    const Tensor<1, dim> d_Gk = cell.deviator() * Gk;
     const double Gk_d_Gk      = Gk * d_Gk;
     const double c_p          = 2. * dim * tau_V;
     const double c_a          = rho * dim * tau_V;
@@ -276,8 +276,8 @@ namespace Lahar
       for (unsigned int J = 0; J < n; ++J)
         if (J != k)
         {
-          p += cell.face_mass(I, J) * cell.pressure[J];
-          a += cell.face_mass(I, J) * cell.acceleration[J];
+          p += cell.face_mass(I, J) * cell.pressure()[J];
+          a += cell.face_mass(I, J) * cell.acceleration()[J];
         }
       const double residual = c_p * Gk_square * p + c_a * (a * Gk) + c_d * Gk_d_Gk;
       system.residual[S::pressure_index(I)] += residual;
@@ -290,12 +290,12 @@ namespace Lahar
         for (unsigned int b = 0; b < dim; ++b)
         {
           // δ(d'): sym(w_b ⊗ G_J) less a third of its trace; δG_k = −s G_kb G_J.
-          const double deviatoric = (cell.w[J][b] * Gk) * Gk_GJ - (cell.w[J][b] * G[J]) * Gk_square / 3.;
+          const double deviatoric = (cell.w()[J][b] * Gk) * Gk_GJ - (cell.w()[J][b] * G[J]) * Gk_square / 3.;
           double entry            = c_d * deviatoric;
           if (J != k)
-            entry += c_a * cell.face_mass(I, J) * cell.acceleration_factor[J] * Gk[b];
-          entry += cell.motion * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
-                                                                2. * c_d * (d_Gk * G[J])));
+            entry += c_a * cell.face_mass(I, J) * cell.acceleration_factor()[J] * Gk[b];
+          entry += cell.motion() * (G[J][b] * residual - Gk[b] * (2. * c_p * p * Gk_GJ + c_a * (a * G[J]) +
+                                                                  2. * c_d * (d_Gk * G[J])));
           system.matrix[S::pressure_index(I)][S::index(J, b)] += entry;
         }
       }
@@ -307,7 +307,7 @@ namespace Lahar
   template <int dim>
   void ResidualStabilization<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    assemble_gradient_term(cell, cell.law->density(), system);
+    assemble_gradient_term(cell, cell.law().density(), system);
   }
 
 

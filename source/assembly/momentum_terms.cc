@@ -19,29 +19,30 @@ namespace Lahar
   void Inertia<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
     using S              = CellSystem<dim>;
-    const double mass    = cell.law->density() * cell.volume;
+    const double mass    = cell.law().density() * cell.volume();
     constexpr unsigned n = dim + 1;
     for (unsigned int I = 0; I < n; ++I)
     {
       Tensor<1, dim> force;
       for (unsigned int J = 0; J < n; ++J)
-        force += mass * cell.mass(I, J) * cell.acceleration[J];
+        force += mass * cell.mass(I, J) * cell.acceleration()[J];
       for (unsigned int a = 0; a < dim; ++a)
       {
         system.residual[S::index(I, a)] += force[a];
         for (unsigned int J = 0; J < n; ++J)
         {
           system.matrix[S::index(I, a)][S::index(J, a)] += mass * cell.mass(I, J) *
-                                                           cell.acceleration_factor[J];
+                                                           cell.acceleration_factor()[J];
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion() * cell.gradients()[J][b] *
+                                                             force[a];
         }
       }
-      if (cell.is_ring)
+      if (cell.is_ring())
         for (unsigned int K = 0; K < n; ++K)
         {
-          const Tensor<1, dim> by_radius = cell.motion * cell.law->density() *
-                                           cell.mass_by_radius(I, K, cell.acceleration);
+          const Tensor<1, dim> by_radius = cell.motion() * cell.law().density() *
+                                           cell.mass_by_radius(I, K, cell.acceleration());
           for (unsigned int a = 0; a < dim; ++a)
             system.matrix[S::index(I, a)][S::index(K, radial)] += by_radius[a];
         }
@@ -54,22 +55,23 @@ namespace Lahar
   void BodyForce<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
     using S              = CellSystem<dim>;
-    Tensor<1, dim> force = -cell.law->density() * cell.volume / (dim + 1) * cell.gravity;
+    Tensor<1, dim> force = -cell.law().density() * cell.volume() / (dim + 1) * cell.gravity();
     for (unsigned int I = 0; I <= dim; ++I)
     {
-      if (cell.is_ring)
-        force = -cell.law->density() * cell.share(I) * cell.gravity;
+      if (cell.is_ring())
+        force = -cell.law().density() * cell.share(I) * cell.gravity();
       for (unsigned int a = 0; a < dim; ++a)
       {
         system.residual[S::index(I, a)] += force[a];
         for (unsigned int J = 0; J <= dim; ++J)
         {
           for (unsigned int b = 0; b < dim; ++b)
-            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion * cell.gradients[J][b] * force[a];
-          if (cell.is_ring)
-            system.matrix[S::index(I, a)][S::index(J, radial)] -= cell.motion * cell.law->density() *
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion() * cell.gradients()[J][b] *
+                                                             force[a];
+          if (cell.is_ring())
+            system.matrix[S::index(I, a)][S::index(J, radial)] -= cell.motion() * cell.law().density() *
                                                                   cell.share_by_radius(I, J) *
-                                                                  cell.gravity[a];
+                                                                  cell.gravity()[a];
         }
       }
     }
@@ -92,32 +94,32 @@ namespace Lahar
     {
       StressTangent<dim> tangent;
       tangent.viscosity = viscosity;
-      const double rate = cell.strain_rate;
+      const double rate = cell.strain_rate();
       if (linearization == ViscosityLinearization::picard || rate < std::numeric_limits<double>::min())
         return tangent;
 
       const double pressure = cell.confining_pressure();
-      const double tau_y = cell.law->has_exact_yield_stress() ? 0. : cell.law->yield_stress(pressure).value;
-      const FluidLaw::Value plastic   = cell.law->plastic_part(rate);
-      const double viscous_derivative = cell.law->viscous_part(rate, pressure).derivative;
-      tangent.A                       = cell.deviator;
+      const double tau_y = cell.law().has_exact_yield_stress() ? 0. : cell.law().yield_stress(pressure).value;
+      const FluidLaw::Value plastic   = cell.law().plastic_part(rate);
+      const double viscous_derivative = cell.law().viscous_part(rate, pressure).derivative;
+      tangent.A                       = cell.deviator();
 
       tangent.coefficient = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
-      tangent.B = 2. * viscous_derivative / rate * cell.deviator;
+      tangent.B = 2. * viscous_derivative / rate * cell.deviator();
       if (linearization == ViscosityLinearization::newton)
-        tangent.B += plastic_weight * 2. * tau_y * plastic.derivative / rate * cell.deviator;
+        tangent.B += plastic_weight * 2. * tau_y * plastic.derivative / rate * cell.deviator();
       else if (tau_y > 0.)
       {
         const auto norm_of = [&cell](const SymmetricTensor<2, dim> &t) {
           return std::sqrt(0.5 * cell.product(t, t));
         };
-        const double gap    = norm_of(cell.plastic_dual - 2. * plastic.value * cell.deviator);
-        const double norm   = norm_of(cell.plastic_dual);
+        const double gap    = norm_of(cell.plastic_dual() - 2. * plastic.value * cell.deviator());
+        const double norm   = norm_of(cell.plastic_dual());
         const double weight = std::min(plastic_weight,
                                        1. - std::min(largest_stiffening, stiffening_rate * gap));
         tangent.B += weight * tau_y * plastic.derivative / plastic.value / rate / std::max(1., norm) *
-                     cell.plastic_dual;
+                     cell.plastic_dual();
       }
       return tangent;
     }
@@ -128,13 +130,13 @@ namespace Lahar
   template <int dim>
   void ViscousStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    using S                              = CellSystem<dim>;
-    constexpr unsigned n                 = dim + 1;
-    const FluidLaw::Value viscosity      = cell.law->has_exact_yield_stress()
-                                             ? cell.law->viscous_part(cell.strain_rate, cell.confining_pressure())
-                                             : cell.law->effective_viscosity(cell.strain_rate,
-                                                                             cell.confining_pressure());
-    const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator;
+    using S              = CellSystem<dim>;
+    constexpr unsigned n = dim + 1;
+    const FluidLaw::Value viscosity =
+      cell.law().has_exact_yield_stress()
+        ? cell.law().viscous_part(cell.strain_rate(), cell.confining_pressure())
+        : cell.law().effective_viscosity(cell.strain_rate(), cell.confining_pressure());
+    const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator();
     const StressTangent<dim> tangent = viscous_tangent(cell, viscosity.value, linearization, plastic_weight);
 
     assemble_stress(cell, stress, tangent, system);
@@ -142,13 +144,13 @@ namespace Lahar
     if (viscosity.pressure_derivative == 0. || linearization == ViscosityLinearization::picard ||
         !(cell.mean_pressure() < 0.))
       return;
-    const SymmetricTensor<2, dim> by_pressure = -2. * cell.volume / n * viscosity.pressure_derivative *
-                                                cell.deviator;
+    const SymmetricTensor<2, dim> by_pressure = -2. * cell.volume() / n * viscosity.pressure_derivative *
+                                                cell.deviator();
     for (unsigned int I = 0; I < n; ++I)
     {
-      Tensor<1, dim> column = by_pressure * cell.gradients[I];
-      if (cell.is_ring)
-        column[radial] -= cell.hoop_gradient * trace(by_pressure);
+      Tensor<1, dim> column = by_pressure * cell.gradients()[I];
+      if (cell.is_ring())
+        column[radial] -= cell.hoop_gradient() * trace(by_pressure);
       for (unsigned int J = 0; J < n; ++J)
         for (unsigned int a = 0; a < dim; ++a)
           system.matrix[S::index(I, a)][S::pressure_index(J)] += column[a];

@@ -19,18 +19,18 @@ namespace Lahar
   void ResidualProjection<dim>::add(const std::array<unsigned int, dim + 1> &vertices,
                                     const FluidCell<dim> &cell)
   {
-    const Tensor<1, dim> residual = cell.volume * cell.momentum_residual(cell.law->density());
+    const Tensor<1, dim> residual = cell.volume() * cell.momentum_residual(cell.law().density());
     const double pressure         = cell.confining_pressure();
-    double stress = cell.law->effective_viscosity(cell.strain_rate, pressure).value * cell.strain_rate;
-    if (cell.law->has_exact_yield_stress()) // of which a plug that does not move has one, too
-      stress = cell.law->viscous_part(cell.strain_rate, pressure).value * cell.strain_rate +
-               cell.law->yield_stress(pressure).value *
-                 cell.law->plastic_part(cell.plastic_strain_rate()).value * cell.plastic_strain_rate();
+    double stress = cell.law().effective_viscosity(cell.strain_rate(), pressure).value * cell.strain_rate();
+    if (cell.law().has_exact_yield_stress()) // of which a plug that does not move has one, too
+      stress = cell.law().viscous_part(cell.strain_rate(), pressure).value * cell.strain_rate() +
+               cell.law().yield_stress(pressure).value *
+                 cell.law().plastic_part(cell.plastic_strain_rate()).value * cell.plastic_strain_rate();
     const double bound = 2. * stress / cell.edge();
     for (const unsigned int v : vertices)
     {
       residuals[v] += residual;
-      volumes[v] += cell.volume;
+      volumes[v] += cell.volume();
       bounds[v] = std::max(bounds[v], bound);
     }
   }

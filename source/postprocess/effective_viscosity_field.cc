@@ -25,8 +25,8 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(snapshot.mesh.n_cells());
-      for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-        values[c] = snapshot.law(c).effective_viscosity(cell.strain_rate, cell.confining_pressure()).value;
+      for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
+        values[c] = snapshot.law(c).effective_viscosity(cell.strain_rate(), cell.confining_pressure()).value;
       });
       return values;
     }

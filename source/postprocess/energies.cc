@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/assembly/fluid_cell.h>
+#include <lahar/assembly/cell_flow.h>
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
@@ -32,15 +32,14 @@ namespace Lahar
       if (Symmetry::applies<dim>())
       {
         // |v|² and x are linear combinations of shape functions, which are exact with three factors.
-        FluidCell<dim> ring;
-        ring.reinit(corners, false);
-        if (!(ring.volume > 0.))
+        const CellFlow<dim> ring(corners, cell, snapshot.cloud.velocity, snapshot.cloud.pressure);
+        if (!(ring.volume() > 0.))
           continue;
         for (unsigned int I = 0; I <= dim; ++I)
         {
-          const Tensor<1, dim> &v = snapshot.cloud.velocity[cell[I]];
+          const Tensor<1, dim> &v = ring.velocity()[I];
           for (unsigned int J = 0; J <= dim; ++J)
-            kinetic += 0.5 * density * ring.volume * ring.mass(I, J) * (v * snapshot.cloud.velocity[cell[J]]);
+            kinetic += 0.5 * density * ring.volume() * ring.mass(I, J) * (v * ring.velocity()[J]);
           potential -= density * ring.share(I) * (snapshot.gravity * corners[I]);
         }
         continue;

@@ -26,7 +26,7 @@ namespace Lahar
     {
       Vector<double> values(snapshot.mesh.n_cells());
       for_each_cell(snapshot,
-                    [&](const unsigned int c, const FluidCell<dim> &cell) { values[c] = cell.strain_rate; });
+                    [&](const unsigned int c, const CellFlow<dim> &cell) { values[c] = cell.strain_rate(); });
       return values;
     }
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/deviator.h>
 #include <lahar/postprocess/output_field.h>
 #include <lahar/utilities/factory.h>
 
@@ -34,9 +35,9 @@ namespace Lahar
     {
       Vector<double> values(snapshot.mesh.n_cells());
       const auto &cells = snapshot.mesh.particle_cells();
-      for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
+      for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
         const FluidLaw &law = snapshot.law(c);
-        values[c]           = law.is_yielded(cell.strain_rate, cell.confining_pressure());
+        values[c]           = law.is_yielded(cell.strain_rate(), cell.confining_pressure());
         const auto *value   = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
                                 ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
                                 : nullptr;

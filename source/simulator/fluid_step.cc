@@ -21,7 +21,8 @@ namespace Lahar
 
   template <int dim>
   void FluidStep<dim>::start(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
-                             const TimeIntegration &new_integration, const std::vector<bool> &new_impulsive)
+                             const TimeIntegration &new_integration, const Tensor<1, dim> &gravity,
+                             const std::vector<bool> &new_impulsive)
   {
     mesh              = &new_mesh;
     integration       = new_integration;
@@ -38,6 +39,7 @@ namespace Lahar
     gather(cloud.pressure, state.old_pressure);
     gather(cloud.pressure_rate, state.old_pressure_rate);
     state.time_step = integration.length();
+    state.gravity   = gravity;
     state.sliver    = find_slivers(*mesh, cloud);
     state.velocity_factor.resize(mesh->n_vertices());
     state.acceleration_factor.resize(mesh->n_vertices());

@@ -21,8 +21,8 @@ namespace Lahar
     if (!snapshot.materials.may_be_ill_posed())
       return;
     const auto &cells = snapshot.mesh.particle_cells();
-    for_each_cell(snapshot, [&](const unsigned int c, const FluidCell<dim> &cell) {
-      const double rate = cell.strain_rate, pressure = cell.confining_pressure();
+    for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
+      const double rate = cell.strain_rate(), pressure = cell.confining_pressure();
       const FluidLaw &law = snapshot.law(c);
       if (!law.may_be_ill_posed() || !snapshot.cloud.is_own(cells[c]) || pressure == 0. ||
           !law.is_yielded(rate, pressure))

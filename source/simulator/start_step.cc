@@ -12,7 +12,6 @@ namespace Lahar
   {
     region_mesh      = &start.mesh;
     materials        = start.materials;
-    gravity          = start.gravity;
     time_integration = start.time_integration;
     solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
                 start.end_time);
@@ -29,7 +28,7 @@ namespace Lahar
                           constraints[node].n_fixed == dim);
       can_be_held[node] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
     }
-    fluid.start(*mesh, start.cloud, time_integration, impulsive);
+    fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
     double spacing = 0.;
     for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
       spacing += start.cloud.spacing[mesh->particle(v)];
@@ -44,7 +43,7 @@ namespace Lahar
 
     if (materials.any_exact_yield_stress())
       start_multipliers(start.multipliers);
-    assembler.set_stabilization(*mesh, materials, gravity, fluid.state);
+    assembler.set_stabilization(*mesh, materials, fluid.state);
     // There is no pressure yet: the residual is the weight, not the divergence of a stress.
     if (time_integration.is_first_step())
       fluid.state.residual_projection.assign(materials.n_fluids() * mesh->n_vertices(), Tensor<1, dim>());

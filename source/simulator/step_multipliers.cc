@@ -42,7 +42,8 @@ namespace Lahar
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
       speed[system.local_number(v)] = std::max(state.old_velocity[v].norm(), state.mean_velocity[v].norm());
     spread_largest(parts, system.partition(), speed);
-    const double slowest = standing_velocity + negligible_acceleration * gravity.norm() * state.time_step;
+    const double slowest = standing_velocity +
+                           negligible_acceleration * state.gravity.norm() * state.time_step;
     std::vector<bool> stands(mesh->n_vertices(), true); // all of its cells do
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
     {

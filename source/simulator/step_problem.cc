@@ -91,7 +91,7 @@ namespace Lahar
     const auto [v, dv, p, dp, v_end, n_vertices] = sums;
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
-    const double v_floor = (negligible_acceleration * gravity.norm() * fluid.state.time_step +
+    const double v_floor = (negligible_acceleration * fluid.state.gravity.norm() * fluid.state.time_step +
                             negligible_sound * solid.speed_of_sound() +
                             (materials.any_exact_yield_stress() ? standing_velocity : 0.)) *
                              std::sqrt(static_cast<double>(system.n_nodes())) +
@@ -121,7 +121,7 @@ namespace Lahar
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!on_all_ranks(assembler.assemble(*mesh, materials, gravity, fluid.state, linearization, system)))
+      if (!on_all_ranks(assembler.assemble(*mesh, materials, fluid.state, linearization, system)))
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
@@ -129,7 +129,7 @@ namespace Lahar
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
-      if (!on_all_ranks(solid.assemble(gravity, system)))
+      if (!on_all_ranks(solid.assemble(fluid.state.gravity, system)))
         throw RunError("an element of a solid is inverted");
     }
     if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
@@ -146,7 +146,8 @@ namespace Lahar
       std::vector<SymmetricTensor<2, dim>>().swap(*old);
     // The size of an increment against which its error counts; before there is any flow, what it will be.
     const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
-    const double v_scale = std::max(velocity_norm, gravity.norm() * fluid.state.time_step * length * 1e-3);
+    const double v_scale = std::max(velocity_norm,
+                                    fluid.state.gravity.norm() * fluid.state.time_step * length * 1e-3);
     const double p_scale = std::max(pressure_norm, materials.largest_density() * v_scale * v_scale / length);
     const IncrementScales scales    = {v_scale, p_scale, negligible};
     const unsigned int n_iterations = in_two_steps

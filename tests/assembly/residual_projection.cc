@@ -5,7 +5,6 @@
 // it does not. Where there is no stress, nothing is projected.
 
 #include <lahar/assembly/residual_projection.h>
-#include <lahar/geometry/simplex_geometry.h>
 
 #include "assembly/film.h"
 #include "assembly/stokes.h"
@@ -46,26 +45,17 @@ void test()
   Tensor<1, dim> weight;
   weight[0] = 1.;
 
-  FluidCell<dim> cell;
-  cell.law           = law.get();
-  cell.gravity       = weight;
+  Stokes<dim> stokes(mesh, film.cloud, *law, weight, 1e-2, "");
   const auto project = [&](const double speed, const std::vector<double> &pressure) {
-    ResidualProjection<dim> projection(mesh.n_vertices());
-    for (const Simplex<dim> &vertices : mesh.cells())
+    for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
     {
-      for (unsigned int I = 0; I <= dim; ++I)
-      {
-        const double y       = film.cloud.position[mesh.particle(vertices[I])][dim - 1];
-        cell.velocity[I]     = speed * y * (1. - 0.5 * y) * weight;
-        cell.acceleration[I] = Tensor<1, dim>();
-        cell.pressure[I]     = pressure[vertices[I]];
-      }
-      std::array<Point<dim>, dim + 1> corners;
-      for (unsigned int I = 0; I <= dim; ++I)
-        corners[I] = film.cloud.position[mesh.particle(vertices[I])];
-      cell.reinit(corners, false);
-      projection.add(vertices, cell);
+      const double y           = film.cloud.position[mesh.particle(v)][dim - 1];
+      stokes.state.velocity[v] = speed * y * (1. - 0.5 * y) * weight;
     }
+    stokes.state.pressure = pressure;
+    ResidualProjection<dim> projection(mesh.n_vertices());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      projection.add(mesh.cells()[c], {stokes.state, c, mesh.cells()[c], 0, *law, false});
     return projection.compute();
   };
 

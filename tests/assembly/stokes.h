@@ -41,7 +41,6 @@ namespace Tests
     Stokes(const FluidMesh<dim> &whole, const ParticleCloud<dim> &cloud, const FluidLaw &law,
            const Tensor<1, dim> &gravity, const double time_step, const std::string &parameters)
       : law(law)
-      , gravity(gravity)
       , system(MPI_COMM_WORLD)
     {
       parse(assembler, parameters);
@@ -60,6 +59,7 @@ namespace Tests
         state.old_acceleration                                  = std::vector<Tensor<1, dim>>(n);
       state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(n, 0.);
       stabilization_step                                            = time_step;
+      state.gravity                                                 = gravity;
       state.velocity_factor                                         = std::vector<double>(n, 1.);
       state.acceleration_factor                                     = std::vector<double>(n, 0.);
       constraints.resize(n);
@@ -70,7 +70,7 @@ namespace Tests
     {
       state.time_step    = stabilization_step;
       state.old_position = state.position = places;
-      assembler.set_stabilization(mesh, law, gravity, state);
+      assembler.set_stabilization(mesh, law, state);
       system.partition().update(state.residual_projection);
     }
 
@@ -113,7 +113,7 @@ namespace Tests
         state.position[v]     = places[v] + 0.5 * state.time_step * state.velocity[v];
         state.old_position[v] = places[v] - 0.5 * state.time_step * state.velocity[v];
       }
-      assembler.assemble(mesh, law, gravity, state, linearization, system);
+      assembler.assemble(mesh, law, state, linearization, system);
       for (unsigned int v = 0; v < forces.size(); ++v)
         system.add_at_node(v, -forces[v], {}, {});
       state.position = state.old_position = places;
@@ -123,7 +123,6 @@ namespace Tests
     std::vector<Point<dim>> places;
     double stabilization_step = 0.;
     const FluidLaw &law;
-    Tensor<1, dim> gravity;
     FluidAssembler<dim> assembler;
     BlockSystem<dim> system;
     DirectSolver<dim> solver;

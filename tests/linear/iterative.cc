@@ -72,9 +72,8 @@ void test(const unsigned int n)
 
   const unsigned int n_vertices = part.n_vertices();
   const double depth            = 0.01 * n;
-  Tensor<1, dim> gravity;
-  gravity[dim - 1] = -9.81;
   FluidState<dim> state;
+  state.gravity[dim - 1] = -9.81;
   std::vector<NodeConstraint<dim>> constraints(n_vertices);
   state.time_step = 1e-3;
   state.velocity_factor.assign(n_vertices, 1.5);
@@ -96,11 +95,11 @@ void test(const unsigned int n)
 
   FluidAssembler<dim> assembler;
   parse(assembler);
-  assembler.set_stabilization(part, *law, gravity, state);
+  assembler.set_stabilization(part, *law, state);
   system.partition().update(state.residual_projection);
   assembler.start_plastic_dual(part, *law, state);
   system.set_constraints(constraints);
-  assembler.assemble(part, *law, gravity, state, {}, system);
+  assembler.assemble(part, *law, state, {}, system);
 
   auto reference = system.make_vector(), solution = system.make_vector();
   DirectSolver<dim> direct;

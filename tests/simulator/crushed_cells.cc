@@ -44,7 +44,6 @@ struct Problem
   FluidState<dim> state;
   BlockSystem<dim> system;
   FluidAssembler<dim> assembler;
-  Tensor<1, dim> gravity;
 
   Problem(const ParticleCloud<dim> &new_cloud, const std::vector<Simplex<dim>> &cells, const FluidLaw &law)
     : cloud(new_cloud)
@@ -52,29 +51,29 @@ struct Problem
   {
     mesh.reinit(cloud, cells);
     parse(assembler, "subsection Stabilization\n set Form = residual\nend\n");
-    gravity[dim - 1]     = -9.81;
-    const unsigned int n = mesh.n_vertices();
-    state.time_step      = 1e-3;
+    state.gravity[dim - 1] = -9.81;
+    const unsigned int n   = mesh.n_vertices();
+    state.time_step        = 1e-3;
     state.velocity_factor.assign(n, 1.5);
     state.acceleration_factor.assign(n, 2. / state.time_step);
     for (unsigned int v = 0; v < n; ++v)
     {
       const Point<dim> &x = cloud.position[mesh.particle(v)];
       state.position.push_back(x);
-      state.velocity.push_back(x[0] * x[dim - 1] * (x + gravity));
+      state.velocity.push_back(x[0] * x[dim - 1] * (x + state.gravity));
       state.pressure.push_back(-1e3 * x[0]);
     }
     state.old_position = state.position;
     state.old_velocity = state.acceleration = state.old_acceleration = std::vector<Tensor<1, dim>>(n);
     state.old_pressure = state.old_pressure_rate = state.pressure;
     system.reinit(n, mesh.cells());
-    assembler.set_stabilization(mesh, law, gravity, state);
+    assembler.set_stabilization(mesh, law, state);
     assembler.start_plastic_dual(mesh, law, state);
   }
 
   bool assemble(const FluidLaw &law)
   {
-    return assembler.assemble(mesh, law, gravity, state, {}, system);
+    return assembler.assemble(mesh, law, state, {}, system);
   }
 };
 

@@ -106,11 +106,10 @@ int main(int argc, char **argv)
   state.velocity = state.old_velocity = state.acceleration = state.old_acceleration =
     std::vector<Tensor<1, 2>>(6);
   state.pressure = state.old_pressure = state.old_pressure_rate = std::vector<double>(6, 0.);
-  Tensor<1, 2> gravity;
-  gravity[1] = -9.81;
+  state.gravity[1]                                              = -9.81;
   FluidAssembler<2> assembler;
   parse(assembler);
-  assembler.set_stabilization(mesh, *law, gravity, state);
+  assembler.set_stabilization(mesh, *law, state);
   BlockSystem<2> system(MPI_COMM_WORLD);
   system.reinit(6, mesh.cells());
   constraints.assign(6, NodeConstraint<2>());
@@ -120,7 +119,7 @@ int main(int argc, char **argv)
   system.set_constraints(constraints);
   FluidAssembler<2>::Linearization linearization;
   linearization.viscosity = ViscosityLinearization::picard;
-  assembler.assemble(mesh, *law, gravity, state, linearization, system);
+  assembler.assemble(mesh, *law, state, linearization, system);
   DirectSolver<2> solver;
   parse(solver);
   auto solution = system.make_vector();
@@ -129,7 +128,7 @@ int main(int argc, char **argv)
   const auto pressures  = system.pressures(solution);
   for (unsigned int v = 0; v < 6; ++v)
   {
-    const Tensor<1, 2> expected = v < 3 ? Tensor<1, 2>() : 1. / 200. * gravity;
+    const Tensor<1, 2> expected = v < 3 ? Tensor<1, 2>() : 1. / 200. * state.gravity;
     check("velocity", (velocities[v] - expected).norm(), 1e-12);
     check("pressure", pressures[v], 1e-8);
   }

@@ -51,7 +51,7 @@ namespace Lahar
      * drives it.
      */
     void set_stabilization(const FluidMesh<dim> &mesh, const Materials &materials,
-                           const Tensor<1, dim> &gravity, FluidState<dim> &state) const;
+                           FluidState<dim> &state) const;
 
     /// Whether the stabilisation has a projection, see ResidualProjection.
     bool projects_residual() const
@@ -93,13 +93,14 @@ namespace Lahar
     /// Assemble; the cells of @p mesh are those that this rank adds to @p system, in its order. @return whether all
     /// cells have positive volume; if not, the system is incomplete. Of cells that are left out there is the diagonal
     /// alone, of inertia and stabilisation at the start of the step: what has no other cell keeps its values.
-    bool assemble(const FluidMesh<dim> &mesh, const Materials &materials, const Tensor<1, dim> &gravity,
-                  const FluidState<dim> &state, const Linearization &linearization,
-                  BlockSystem<dim> &system) const;
+    bool assemble(const FluidMesh<dim> &mesh, const Materials &materials, const FluidState<dim> &state,
+                  const Linearization &linearization, BlockSystem<dim> &system) const;
 
   private:
     static void leave_out(const FluidCell<dim> &cell, CellSystem<dim> &system);
-    void gather(const Simplex<dim> &vertices, const FluidState<dim> &state, FluidCell<dim> &cell) const;
+    static FluidCell<dim> make_cell(const FluidMesh<dim> &mesh, const Materials &materials,
+                                    const FluidState<dim> &state, const unsigned int c,
+                                    const bool linearize_motion = false);
 
     std::unique_ptr<const Stabilization<dim>> stabilization;
     double viscosity_limit = 0.1;

@@ -3,196 +3,209 @@
 #ifndef lahar_assembly_fluid_cell_h
 #define lahar_assembly_fluid_cell_h
 
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
-
+#include <lahar/assembly/cell_flow.h>
 #include <lahar/assembly/deviator.h>
-#include <lahar/geometry/symmetry.h>
+#include <lahar/assembly/fluid_state.h>
 #include <lahar/material/fluid_law.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace Lahar
 {
-  using namespace dealii;
-
   /**
    * What the terms of the weak form need to know of one linear simplex at the end of the step.
    *
    * The unknown is the corners' mean velocity in the step (TimeIntegration). G_I = ∇N_I and V are those of the present
-   * configuration, v_I velocities at its time, L = Σ v_I ⊗ G_I. When the mean velocity of node J changes in direction e_b,
-   * v_J changes by c_J e_b and the node moves by s e_b, s = Δt, so that
+   * configuration, v_I velocities at its time, L = Σ v_I ⊗ G_I (CellFlow). When the mean velocity of node J changes in
+   * direction e_b, v_J changes by c_J e_b and the node moves by s e_b, s = Δt, so that
    *
    *   δV = s V G_Jb,   δG_I = −s G_Ib G_J,   δL = w_Jb ⊗ G_J with w_Jb = c_J e_b − s L e_b.
    *
-   * With s = 0 in #motion the terms leave the derivatives of the geometry out, but for that of the volume in the mass
+   * With s = 0 in motion() the terms leave the derivatives of the geometry out, but for that of the volume in the mass
    * equation, without which there is no flow.
    *
-   * With rotational symmetry (Symmetry) the cell is a ring: V = 2π r̄ A, and strain has the hoop component
-   * L_θθ = v_r/r, taken at the centroid, v̄_r/r̄. With η = 1/(3 r̄) it is Σ v_Ir η, and
+   * With rotational symmetry (Symmetry), η = 1/(3 r̄),
    *
-   *   δV = s V E_Jb, E_J = G_J + η e_r,   δη = −s η² δ_br,   δL_θθ = η w_θJ δ_br, w_θJ = c_J − s L_θθ;
+   *   δV = s V E_Jb, E_J = G_J + η e_r,   δη = −s η² δ_br,   δL_θθ = η w_θJ δ_br, w_θJ = c_J − s L_θθ.
    *
-   * V (tr L + L_θθ) is the rate of V. All are regular on the axis, since r̄ > 0. In the plane and in space E_J = G_J.
+   * In the plane and in space E_J = G_J.
+   *
+   * The constructor is the only one who writes: a cell is what the state, the law and the kind of linearisation make of it,
+   * and cannot be changed afterwards.
    */
   template <int dim>
-  struct FluidCell
+  class FluidCell : public CellFlow<dim>
   {
-    static constexpr unsigned int n_nodes = dim + 1;
+  public:
+    using CellFlow<dim>::n_nodes;
 
-    std::array<Tensor<1, dim>, n_nodes> velocity;
-    std::array<Tensor<1, dim>, n_nodes> acceleration;
-    std::array<double, n_nodes> pressure;
-    std::array<double, n_nodes> old_pressure;
-    std::array<double, n_nodes> old_pressure_rate;
+    /**
+     * @param state for which FluidAssembler::set_stabilization() has been called. @param c number of the cell, which has
+     * the corners @p vertices and belongs to the fluid of the number @p fluid with the law @p law; the law must live as
+     * long as this.
+     * @param linearize_motion whether s = Δt; it is zero all the same for slivers, whose shape stays, and for cells that
+     * keep less than 0.7 of their volume in the step.
+     */
+    FluidCell(const FluidState<dim> &state, const unsigned int c, const Simplex<dim> &vertices,
+              const unsigned int fluid, const FluidLaw &law, const bool linearize_motion);
 
-    std::array<Tensor<1, dim>, n_nodes> gradients; ///< G_I, 1/m
-    double volume     = 0.;
-    double old_volume = 0.; ///< at the start of the step; with rotational symmetry the area in the plane
+    const FluidLaw &law() const
+    {
+      return *cell_law;
+    }
 
-    Tensor<2, dim> velocity_gradient; ///< L_ij = ∂v_i/∂x_j
-    SymmetricTensor<2, dim> deviator; ///< in-plane part of d'
-    double strain_rate = 0.;          ///< γ̇ = sqrt(2 d':d')
+    /// dv/dt of the corners at the end of the step, m/s².
+    const std::array<Tensor<1, dim>, n_nodes> &acceleration() const
+    {
+      return a;
+    }
 
-    double time_step                                = 0.;   ///< Δt, s
-    std::array<double, n_nodes> velocity_factor     = {};   ///< c_J
-    std::array<double, n_nodes> acceleration_factor = {};   ///< derivative of the acceleration, 1/s
-    double motion                                   = 0.;   ///< s: Δt or zero
-    std::array<std::array<Tensor<1, dim>, dim>, n_nodes> w; ///< w_Jb
-    std::array<Tensor<1, dim>, n_nodes> expansion;          ///< E_J, 1/m
+    /// At the start of the step, Pa.
+    const std::array<double, n_nodes> &old_pressure() const
+    {
+      return p_old;
+    }
 
-    bool is_ring                           = Symmetry::applies<dim>();
-    double section                         = 0.; ///< A, in the plane; #volume without rotational symmetry
-    double hoop_rate                       = 0.; ///< L_θθ, 1/s
-    double hoop_gradient                   = 0.; ///< η, 1/m
-    std::array<double, n_nodes> hoop_w     = {}; ///< w_θJ
-    std::array<double, n_nodes> radius     = {}; ///< r_I, m
-    std::array<double, n_nodes> old_shares = {}; ///< body_volume_shares() at the start of the step
+    /// Its derivative there, Pa/s.
+    const std::array<double, n_nodes> &old_pressure_rate() const
+    {
+      return p_rate_old;
+    }
 
-    Tensor<1, dim> gravity;
-    const FluidLaw *law            = nullptr;
-    double stabilization           = 0.;  ///< τ_s, m³ s/kg
-    double stabilization_viscosity = 0.;  ///< viscosity in the stabilisation terms, Pa s
-    Tensor<1, dim> residual_projection;   ///< mean of π over the corners, see ResidualProjection; N/m³
-    SymmetricTensor<2, dim> plastic_dual; ///< Λ of the primal–dual Newton scheme
-    SymmetricTensor<2, dim> multiplier;   ///< Λ_k of an exact yield stress, see ExactPlasticStress
+    /// V at the start of the step; with rotational symmetry the area in the plane.
+    double old_volume() const
+    {
+      return V_old;
+    }
 
-    /// Compute everything that follows from the corners @p x and #velocity. Without volume only #volume is set.
-    void reinit(const std::array<Point<dim>, n_nodes> &x, const bool linearize_motion);
+    /// With rotational symmetry body_volume_shares() at the start of the step.
+    const std::array<double, n_nodes> &old_shares() const
+    {
+      return shares_old;
+    }
+
+    /// Δt, s.
+    double time_step() const
+    {
+      return dt;
+    }
+
+    /// c_J.
+    const std::array<double, n_nodes> &velocity_factor() const
+    {
+      return c_v;
+    }
+
+    /// Derivative of the acceleration, 1/s.
+    const std::array<double, n_nodes> &acceleration_factor() const
+    {
+      return c_a;
+    }
+
+    /// s: Δt or zero.
+    double motion() const
+    {
+      return s;
+    }
+
+    /// w_Jb.
+    const std::array<std::array<Tensor<1, dim>, dim>, n_nodes> &w() const
+    {
+      return delta_L;
+    }
+
+    /// w_θJ.
+    const std::array<double, n_nodes> &hoop_w() const
+    {
+      return delta_L_hoop;
+    }
+
+    /// E_J, 1/m.
+    const std::array<Tensor<1, dim>, n_nodes> &expansion() const
+    {
+      return E;
+    }
+
+    /// m/s².
+    const Tensor<1, dim> &gravity() const
+    {
+      return g;
+    }
+
+    /// τ_s, m³ s/kg.
+    double stabilization() const
+    {
+      return tau_s;
+    }
+
+    /// Viscosity in the stabilisation terms, Pa s.
+    double stabilization_viscosity() const
+    {
+      return mu_s;
+    }
+
+    /// Mean of π over the corners, see ResidualProjection; N/m³.
+    const Tensor<1, dim> &residual_projection() const
+    {
+      return pi;
+    }
+
+    /// Λ of the primal–dual Newton scheme; zero before it is started.
+    const SymmetricTensor<2, dim> &plastic_dual() const
+    {
+      return dual;
+    }
+
+    /// Λ_k of an exact yield stress, see ExactPlasticStress; zero for other laws.
+    const SymmetricTensor<2, dim> &multiplier() const
+    {
+      return Lambda_k;
+    }
 
     /// The rate e' to which the plastic part of the stress belongs, τ0 f(ε̇) 2 e' with ε̇ = sqrt(2 e':e'), in-plane part:
     /// d', and where the yield stress is exact d' + Λ_k/(2 r).
     SymmetricTensor<2, dim> plastic_rate() const
     {
-      const double r = law->augmentation();
-      return r > 0. ? deviator + multiplier / (2. * r) : deviator;
+      const double r = law().augmentation();
+      return r > 0. ? this->deviator() + Lambda_k / (2. * r) : this->deviator();
     }
 
     /// ε̇ of plastic_rate().
     double plastic_strain_rate() const
     {
-      return law->augmentation() > 0. ? 2. * deviator_norm<dim>(plastic_rate()) : strain_rate;
-    }
-
-    double mean_pressure() const
-    {
-      double sum = 0.;
-      for (const double p : pressure)
-        sum += p / n_nodes;
-      return sum;
-    }
-
-    /// P = max(−p̄, 0), p̄ the mean pressure: what laws of fluids know of it.
-    double confining_pressure() const
-    {
-      return std::max(-mean_pressure(), 0.);
+      return law().augmentation() > 0. ? 2. * deviator_norm<dim>(plastic_rate()) : this->strain_rate();
     }
 
     Tensor<1, dim> mean_acceleration() const
     {
       Tensor<1, dim> sum;
-      for (const Tensor<1, dim> &a : acceleration)
-        sum += a / n_nodes;
-      return sum;
-    }
-
-    Tensor<1, dim> pressure_gradient() const
-    {
-      Tensor<1, dim> sum;
-      for (unsigned int I = 0; I < n_nodes; ++I)
-        sum += pressure[I] * gradients[I];
+      for (const Tensor<1, dim> &a_I : a)
+        sum += a_I / n_nodes;
       return sum;
     }
 
     /// ∇p + ρ g − ρ ā, with @p inertia_density for ρ in the last term.
     Tensor<1, dim> momentum_residual(const double inertia_density) const
     {
-      return pressure_gradient() + law->density() * gravity - inertia_density * mean_acceleration();
-    }
-
-    /// The edge of the equilateral simplex with the same volume, m.
-    double edge() const
-    {
-      return dim == 2 ? std::sqrt(4. / std::sqrt(3.) * section) : std::cbrt(6. * std::sqrt(2.) * section);
-    }
-
-    /// ∫ N_I N_J over the cell, divided by its volume.
-    double mass(const unsigned int I, const unsigned int J) const
-    {
-      if constexpr (dim == 2)
-        if (is_ring)
-        {
-          double sum = 0.;
-          for (unsigned int K = 0; K < n_nodes; ++K)
-            sum += product_of_three(I, J, K) * radius[K];
-          return 3. * hoop_gradient * sum;
-        }
-      return (I == J ? 2. : 1.) / ((dim + 1) * (dim + 2));
-    }
-
-    /// Derivative of Σ_J x_J ∫ N_I N_J over a ring with respect to the radius of node K.
-    template <typename Number>
-    Number mass_by_radius(const unsigned int I, const unsigned int K,
-                          const std::array<Number, n_nodes> &x) const
-    {
-      Number sum = Number();
-      for (unsigned int J = 0; J < n_nodes; ++J)
-        sum += 2. * numbers::PI * section * product_of_three(I, J, K) * x[J];
-      return sum;
-    }
-
-    /// The same of ∫ N_I.
-    double share_by_radius(const unsigned int I, const unsigned int K) const
-    {
-      return 2. * numbers::PI * section / 12. * (I == K ? 2. : 1.);
-    }
-
-    /// ∫ N_I over a ring.
-    double share(const unsigned int I) const
-    {
-      return ring_share(section, 1. / hoop_gradient, radius[I]);
-    }
-
-    /// a:b of deviators, with their components out of the plane where these are those of a hoop.
-    double product(const SymmetricTensor<2, dim> &a, const SymmetricTensor<2, dim> &b) const
-    {
-      return is_ring ? a * b + trace(a) * trace(b) : a * b;
-    }
-
-    /// ∫ N_I N_J over a face with both nodes, divided by its area.
-    static constexpr double face_mass(const unsigned int I, const unsigned int J)
-    {
-      return (I == J ? 2. : 1.) / (dim * (dim + 1));
+      return this->pressure_gradient() + law().density() * g - inertia_density * mean_acceleration();
     }
 
   private:
-    /// ∫ N_I N_J N_K over a triangle, divided by its area.
-    static constexpr double product_of_three(const unsigned int I, const unsigned int J, const unsigned int K)
-    {
-      return (I == J && J == K ? 6. : (I == J || J == K || I == K ? 2. : 1.)) / 60.;
-    }
+    const FluidLaw *cell_law;
+    std::array<Tensor<1, dim>, n_nodes> a;
+    std::array<double, n_nodes> p_old, p_rate_old;
+    double V_old                           = 0.;
+    std::array<double, n_nodes> shares_old = {};
+    double dt;
+    std::array<double, n_nodes> c_v, c_a;
+    double s = 0.;
+    std::array<std::array<Tensor<1, dim>, dim>, n_nodes> delta_L;
+    std::array<double, n_nodes> delta_L_hoop = {};
+    std::array<Tensor<1, dim>, n_nodes> E;
+    Tensor<1, dim> g;
+    double tau_s, mu_s;
+    Tensor<1, dim> pi;
+    SymmetricTensor<2, dim> dual, Lambda_k;
   };
 
   /// Residual and Jacobian of one cell; node I has the velocity rows (I, 0 … dim−1) and the pressure row (I, dim).

@@ -6,7 +6,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <lahar/assembly/fluid_cell.h>
 #include <lahar/geometry/simplex_geometry.h>
 
 #include <vector>
@@ -63,7 +62,8 @@ namespace Lahar
       return corners_of<dim>(vertices, sliver[c] ? old_position : position);
     }
 
-    double time_step = 0.; ///< Δt, s
+    double time_step = 0.;  ///< Δt, s
+    Tensor<1, dim> gravity; ///< m/s²
   };
 } // namespace Lahar
 

@@ -5,7 +5,7 @@
 
 #include <deal.II/lac/vector.h>
 
-#include <lahar/assembly/fluid_cell.h>
+#include <lahar/assembly/cell_flow.h>
 #include <lahar/geometry/simplex_geometry.h>
 #include <lahar/postprocess/postprocessor.h>
 
@@ -72,22 +72,16 @@ namespace Lahar
     static List create_all(Parameters &prm);
   };
 
-  /// Call @p action with number and FluidCell of every cell of the snapshot's mesh. The FluidCell has its geometry, the
-  /// velocities and pressures of its corners and what follows from them: velocity gradient, deviator and strain rate.
+  /// Call @p action with number and CellFlow of every cell of the snapshot's mesh.
   template <int dim, typename Action>
   void for_each_cell(const Snapshot<dim> &snapshot, const Action &action)
   {
     const auto &cells = snapshot.mesh.particle_cells();
     for (unsigned int c = 0; c < cells.size(); ++c)
     {
-      FluidCell<dim> cell;
-      for (unsigned int I = 0; I <= dim; ++I)
-      {
-        cell.velocity[I] = snapshot.cloud.velocity[cells[c][I]];
-        cell.pressure[I] = snapshot.cloud.pressure[cells[c][I]];
-      }
-      cell.reinit(corners_of<dim>(cells[c], snapshot.cloud.position), false);
-      action(c, std::as_const(cell));
+      const CellFlow<dim> cell(corners_of<dim>(cells[c], snapshot.cloud.position), cells[c],
+                               snapshot.cloud.velocity, snapshot.cloud.pressure);
+      action(c, cell);
     }
   }
 } // namespace Lahar

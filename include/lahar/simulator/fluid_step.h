@@ -22,10 +22,11 @@ namespace Lahar
     /**
      * Begin a step with the state of the mesh's particles; the end is set to the start, the mean velocities to those that
      * the accelerations at the start let expect.
-     * @param impulsive by vertex: whether it moves impulsively, see TimeIntegration.
+     * @param gravity m/s². @param impulsive by vertex: whether it moves impulsively, see TimeIntegration.
      */
     void start(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-               const TimeIntegration &integration, const std::vector<bool> &impulsive);
+               const TimeIntegration &integration, const Tensor<1, dim> &gravity,
+               const std::vector<bool> &impulsive);
 
     /// Set the mean velocities in the step, by vertex, and what follows from them.
     void move(const std::vector<Tensor<1, dim>> &mean_velocities);

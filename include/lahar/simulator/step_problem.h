@@ -229,7 +229,6 @@ namespace Lahar
     const FluidMesh<dim> *mesh        = nullptr; ///< what this rank works on of it
     FluidMesh<dim> part;                         ///< this, on several ranks
     Materials materials;
-    Tensor<1, dim> gravity;
     TimeIntegration time_integration;
     FluidStep<dim> fluid;
     SolidStep<dim> solid;
