@@ -4,9 +4,20 @@
 #include <lahar/simulator/undetermined_pressures.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Lahar
 {
+  namespace
+  {
+    // What increments are compared with at least: velocities, with this part of what gravity makes in a step and of the
+    // speed of sound in solids; pressures, with those that make this part of the velocities.
+    constexpr double negligible_acceleration = 1e-3;
+    constexpr double negligible_sound        = 1e-8;
+  } // namespace
+
+
+
   template <int dim>
   void StepProblem<dim>::start_step(const Start &start)
   {
@@ -29,17 +40,11 @@ namespace Lahar
       can_be_held[node] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
     }
     fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
-    double spacing = 0.;
-    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
-      spacing += start.cloud.spacing[mesh->particle(v)];
-    mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
-                   std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
     friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
                         start.time_integration.length(), system.partition());
     held_vertices.start_step(can_be_held);
     crushed_cells.start_step(mesh->n_cells());
-    velocity_change.assign(constraints.size(), Tensor<1, dim>());
-    pressure_change.assign(mesh->n_vertices(), 0.);
+    step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
 
     if (materials.any_exact_yield_stress())
       start_multipliers(start.multipliers);
@@ -61,6 +66,26 @@ namespace Lahar
     slow_down(velocities);
     solid.move(solid.gather(system.partition(), velocities));
     set_norms();
+  }
+
+
+
+  template <int dim>
+  typename StepState<dim>::Floors StepProblem<dim>::floors(const ParticleCloud<dim> &cloud) const
+  {
+    double spacing = 0.;
+    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
+      spacing += cloud.spacing[mesh->particle(v)];
+    const double mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
+                                std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
+    // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
+    // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
+    return {(negligible_acceleration * fluid.state.gravity.norm() * fluid.state.time_step +
+             negligible_sound * solid.speed_of_sound() +
+             (materials.any_exact_yield_stress() ? standing_velocity : 0.)) *
+                std::sqrt(static_cast<double>(system.n_nodes())) +
+              1e-300,
+            negligible_acceleration * materials.largest_density() * mean_spacing / fluid.state.time_step};
   }
 
 

@@ -14,10 +14,6 @@ namespace Lahar
     /// Increments that would invert simplices even at this part of their length are not taken.
     constexpr double shortest_step = 1e-3;
 
-    // What increments are compared with at least: velocities, with this part of what gravity makes in a step and of the
-    // speed of sound in solids; pressures, with those that make this part of the velocities.
-    constexpr double negligible_acceleration = 1e-3;
-    constexpr double negligible_sound        = 1e-8;
   } // namespace
 
 
@@ -73,37 +69,8 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::set_norms()
   {
-    double sums[6] = {}; // of w², δw², p², δp², and of the fluid v² and the vertices
-    const std::vector<Tensor<1, dim>> velocities = node_velocities();
-    for (unsigned int l = 0; l < system.partition().n_own(); ++l)
-    {
-      sums[0] += velocities[l].norm_square();
-      sums[1] += velocity_change[l].norm_square();
-    }
-    for (unsigned int i = 0; i < system.n_own_fluid_nodes(); ++i)
-    {
-      sums[2] += fluid.state.pressure[i] * fluid.state.pressure[i];
-      sums[3] += pressure_change[i] * pressure_change[i];
-      sums[4] += fluid.state.velocity[i].norm_square();
-    }
-    sums[5] = system.n_own_fluid_nodes();
-    Utilities::MPI::sum(ArrayView<const double>(sums, 6), communicator(), ArrayView<double>(sums, 6));
-    const auto [v, dv, p, dp, v_end, n_vertices] = sums;
-    // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
-    // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
-    const double v_floor = (negligible_acceleration * fluid.state.gravity.norm() * fluid.state.time_step +
-                            negligible_sound * solid.speed_of_sound() +
-                            (materials.any_exact_yield_stress() ? standing_velocity : 0.)) *
-                             std::sqrt(static_cast<double>(system.n_nodes())) +
-                           1e-300;
-    velocity_norm        = std::max(std::sqrt(v), v_floor);
-    mean_speed           = std::sqrt(v_end / std::max(1., n_vertices));
-    const double p_floor = negligible_acceleration * materials.largest_density() * mean_spacing /
-                           fluid.state.time_step * velocity_norm;
-    pressure_norm = std::max({std::sqrt(p), p_floor, 1e-300});
-
-    relative_velocity_increment = std::sqrt(dv) / velocity_norm;
-    relative_pressure_increment = std::sqrt(dp) / pressure_norm;
+    step_state.set_norms(node_velocities(), fluid.state, system.partition().n_own(),
+                         system.n_own_fluid_nodes(), communicator());
   }
 
 
@@ -142,36 +109,36 @@ namespace Lahar
   unsigned int StepProblem<dim>::solve(const double negligible, const bool in_two_steps)
   {
     TimerOutput::Scope scope(timer, "Solve");
-    for (auto *old : {&base_dual, &dual_change}) // the solver needs the memory
-      std::vector<SymmetricTensor<2, dim>>().swap(*old);
+    step_state.drop_dual();
     // The size of an increment against which its error counts; before there is any flow, what it will be.
-    const double length  = std::sqrt(static_cast<double>(system.n_nodes()));
-    const double v_scale = std::max(velocity_norm,
-                                    fluid.state.gravity.norm() * fluid.state.time_step * length * 1e-3);
-    const double p_scale = std::max(pressure_norm, materials.largest_density() * v_scale * v_scale / length);
+    const double length             = std::sqrt(static_cast<double>(system.n_nodes()));
+    const double v_scale            = std::max(step_state.velocity_norm(),
+                                               fluid.state.gravity.norm() * fluid.state.time_step * length * 1e-3);
+    const double p_scale            = std::max(step_state.pressure_norm(),
+                                               materials.largest_density() * v_scale * v_scale / length);
     const IncrementScales scales    = {v_scale, p_scale, negligible};
     const unsigned int n_iterations = in_two_steps
                                         ? linear_solver->solve_in_two_steps(system, scales, solution)
                                         : linear_solver->solve(system, scales, solution);
-    start_increment();
+    start_iteration();
     return n_iterations;
   }
 
 
 
   template <int dim>
-  void StepProblem<dim>::start_increment()
+  void StepProblem<dim>::start_iteration()
   {
-    velocity_change = system.velocities(solution);
-    pressure_change = system.pressures(solution);
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
-    base_velocity = node_velocities();
-    base_volumes  = fluid.new_volumes();
-    base_pressure = fluid.state.pressure;
-    if (materials.any_yields())
-      assembler.predict_plastic_dual(*mesh, materials, fluid.state, by_vertex(velocity_change), base_dual,
-                                     dual_change);
+    step_state.start_iteration(node_velocities(), fluid.state, fluid.new_volumes(),
+                               system.velocities(solution), system.pressures(solution));
+    if (!materials.any_yields())
+      return;
+    std::vector<SymmetricTensor<2, dim>> base, change;
+    assembler.predict_plastic_dual(*mesh, materials, fluid.state, by_vertex(step_state.velocity_change()),
+                                   base, change);
+    step_state.start_dual(std::move(base), std::move(change));
   }
 
 
@@ -182,17 +149,16 @@ namespace Lahar
     TimerOutput::Scope scope(timer, "Update");
     const unsigned int n_nodes = constraints.size();
     std::vector<double> lengths(n_nodes, length);
-    std::vector<Tensor<1, dim>> velocities(n_nodes);
+    std::vector<Tensor<1, dim>> velocities;
     damped = false;
     for (bool any_shorter = true; any_shorter;)
     {
-      for (unsigned int l = 0; l < n_nodes; ++l)
-        velocities[l] = base_velocity[l] + lengths[l] * velocity_change[l];
+      velocities = step_state.velocities(lengths);
       fluid.move(by_vertex(velocities));
       if (length == 1. && !damped)
         crushed_cells.note(crushable_cells());
       any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(base_volumes))
+      for (const unsigned int v : fluid.shrinking_vertices(step_state.base_volumes()))
         if (double &own_length = lengths[system.local_number(v)]; own_length > 0.)
         {
           any_shorter = true;
@@ -206,13 +172,9 @@ namespace Lahar
     solid.move(solid.gather(system.partition(), velocities));
     if (length == 1.)
       held_vertices.note(lengths);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      fluid.state.pressure[v] = base_pressure[v] + length * pressure_change[v];
-    if (materials.any_yields())
-      for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-        fluid.state.plastic_dual[c] = base_dual[c] + length * dual_change[c];
+    step_state.advance(length, fluid.state);
     set_norms();
-    if (!std::isfinite(velocity_norm) || !std::isfinite(pressure_norm))
+    if (!std::isfinite(step_state.velocity_norm()) || !std::isfinite(step_state.pressure_norm()))
       throw RunError("velocity or pressure is not a finite number");
   }
 
@@ -221,7 +183,7 @@ namespace Lahar
   template <int dim>
   std::vector<unsigned int> StepProblem<dim>::crushable_cells() const
   {
-    std::vector<unsigned int> result = fluid.shrinking_cells(base_volumes);
+    std::vector<unsigned int> result = fluid.shrinking_cells(step_state.base_volumes());
     const auto gives_way             = [&](const unsigned int c) {
       return std::any_of(mesh->cells()[c].begin(), mesh->cells()[c].end(), [&](const unsigned int v) {
         const unsigned int node = system.local_number(v);
@@ -277,16 +239,15 @@ namespace Lahar
   template <int dim>
   Point<dim> StepProblem<dim>::place_of_largest_increment() const
   {
-    std::vector<Point<dim>> positions = by_node(fluid.state.position);
-    std::vector<double> pressures     = by_node(pressure_change);
+    std::vector<Point<dim>> positions   = by_node(fluid.state.position);
+    const std::vector<double> pressures = by_node(step_state.pressure_change());
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
       positions[node] = solid.position(i);
     unsigned int place = 0;
     double largest     = -1.;
     for (unsigned int l = 0; l < system.partition().n_own(); ++l)
     {
-      const double increment = velocity_change[l].norm() / velocity_norm +
-                               std::abs(pressures[l]) / pressure_norm;
+      const double increment = step_state.increment_at(l, pressures[l]);
       if (increment > largest)
       {
         largest = increment;

@@ -16,6 +16,7 @@
 #include <lahar/simulator/held_vertices.h>
 #include <lahar/simulator/sliding_friction.h>
 #include <lahar/simulator/solid_step.h>
+#include <lahar/simulator/step_state.h>
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
@@ -111,7 +112,7 @@ namespace Lahar
     /// Whether the fluid is so slow that it counts as standing, see `Standing velocity`.
     bool is_standing() const
     {
-      return mean_speed < standing_velocity;
+      return step_state.mean_speed() < standing_velocity;
     }
 
     /// Whether increments were halved in the last step.
@@ -144,12 +145,12 @@ namespace Lahar
     /// ‖δv‖/‖v‖ and ‖δp‖/‖p‖ of the last solution, whatever the length of the step.
     double velocity_increment() const
     {
-      return relative_velocity_increment;
+      return step_state.velocity_increment();
     }
 
     double pressure_increment() const
     {
-      return relative_pressure_increment;
+      return step_state.pressure_increment();
     }
 
     /// Where ‖δv‖/‖v‖ + |δp|/‖p‖ of the last solution is largest, m.
@@ -200,7 +201,7 @@ namespace Lahar
     void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
     /// Whether something is so on all ranks.
     bool on_all_ranks(const bool fine) const;
-    void start_increment();
+    void start_iteration();
     /// Friction follows velocities, pressures and reactions.
     void iterate_friction();
     /// Velocities of the known nodes.
@@ -217,6 +218,8 @@ namespace Lahar
     /// Bring the values of other ranks' vertices up to date.
     template <typename T>
     void update_vertices(std::vector<T> &by_vertex) const;
+    /// What counts as nothing in this step, see StepState.
+    typename StepState<dim>::Floors floors(const ParticleCloud<dim> &cloud) const;
     void set_norms();
 
     TimerOutput &timer;
@@ -236,23 +239,16 @@ namespace Lahar
     unsigned int connectivity_number =
       numbers::invalid_unsigned_int; ///< of the mesh that the system was made for
     std::vector<unsigned int> numbered_solid_nodes;
-    std::vector<Tensor<1, dim>> base_velocity, velocity_change;
-    std::vector<double> base_pressure, pressure_change, base_volumes;
+    StepState<dim> step_state;
     bool damped = false;
-    std::vector<NodeConstraint<dim>> constraints; ///< by local number, as velocity_change and base_velocity
+    std::vector<NodeConstraint<dim>> constraints; ///< by local number
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
     ClosedParts<dim> closed_parts;
     SlidingFriction<dim> friction;
     std::vector<Point<dim>> start_position; ///< by local number
     std::vector<bool> is_solid;             ///< by local number: whether the node is a solid's
-    std::vector<SymmetricTensor<2, dim>> base_dual, dual_change;
-    double mean_spacing      = 0.;   ///< of the mesh's particles, m
-    double standing_velocity = 1e-7; ///< m/s
-    double mean_speed =
-      0.; ///< of the fluid at the end of the step, root of the mean square over the nodes, m/s
-    double velocity_norm = 0., pressure_norm = 0.;
-    double relative_velocity_increment = 0., relative_pressure_increment = 0.;
+    double standing_velocity = 1e-7;        ///< m/s
   };
 
 
