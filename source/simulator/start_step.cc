@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/simulator/step_problem.h>
-#include <lahar/simulator/undetermined_pressures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,24 +25,19 @@ namespace Lahar
     time_integration = start.time_integration;
     solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
                 start.end_time);
-    reinit_system(start.cloud, start.migration);
-    set_constraints(start.constraints);
+    set_constraints(start, reinit_system(start.cloud, start.migration));
     linear_solver->forget();
 
-    // What is told by vertex is by those of the region's mesh.
-    std::vector<bool> impulsive, can_be_held(constraints.size(), false);
+    std::vector<bool> impulsive; // what is told by vertex is by those of the region's mesh
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
       const unsigned int node = system.local_number(v);
       impulsive.push_back(start.arrives[system.partition().nodes()[node]] ||
                           constraints[node].n_fixed == dim);
-      can_be_held[node] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
     }
     fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
     friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
                         start.time_integration.length(), system.partition());
-    held_vertices.start_step(can_be_held);
-    crushed_cells.start_step(mesh->n_cells());
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
 
     if (materials.any_exact_yield_stress())
@@ -56,6 +50,17 @@ namespace Lahar
     if (materials.any_yields())
       assembler.start_plastic_dual(*mesh, materials, fluid.state);
     std::vector<Tensor<1, dim>> velocities = node_velocities();
+    impose(velocities);
+    safeguards.slow_down(constraints, fluid, velocities);
+    solid.move(solid.gather(system.partition(), velocities));
+    set_norms();
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::impose(std::vector<Tensor<1, dim>> &velocities) const
+  {
     for (unsigned int node = 0; node < constraints.size(); ++node)
       if (const NodeConstraint<dim> &prescribed = constraints[node]; prescribed.moves)
         for (unsigned int a = 0; a < prescribed.n_fixed; ++a)
@@ -63,9 +68,6 @@ namespace Lahar
                               prescribed.frame[a];
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
       velocities[node] = solid.mean_velocity(i); // the prescribed ones
-    slow_down(velocities);
-    solid.move(solid.gather(system.partition(), velocities));
-    set_norms();
   }
 
 
@@ -91,76 +93,8 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::slow_down(std::vector<Tensor<1, dim>> &velocities)
-  {
-    // The vertices of flattened simplices move less, down to not at all, or, where nodes push them that move whatever the
-    // fluid does, down to the velocity of these. Walls and driven solids keep theirs, and may leave no room.
-    const std::vector<Tensor<1, dim>> expected = velocities;
-    const std::vector<double> old_volumes      = fluid.old_volumes();
-    std::vector<double> motion(constraints.size(), 1.), is_pushed(constraints.size(), 0.);
-    std::vector<Tensor<1, dim>> least(constraints.size());
-    for (unsigned int node = 0; node < constraints.size(); ++node)
-      least[node] = constraints[node].velocity;
-    fluid.move(by_vertex(velocities));
-    for (bool any = true; any;)
-    {
-      any = false;
-      std::vector<Tensor<1, dim>> push(constraints.size());
-      std::vector<unsigned int> n_pushes(constraints.size(), 0);
-      std::vector<bool> is_slower(constraints.size(), false);
-      for (const unsigned int c : fluid.shrinking_cells(old_volumes))
-      {
-        Tensor<1, dim> mean;
-        unsigned int n = 0;
-        for (const unsigned int v : mesh->cells()[c])
-          if (const unsigned int node = system.local_number(v);
-              is_pushed[node] > 0. ||
-              (constraints[node].n_fixed == dim && (constraints[node].moves || is_solid[node])))
-          {
-            mean += velocities[node];
-            ++n;
-          }
-        for (const unsigned int v : mesh->cells()[c])
-          if (const unsigned int node = system.local_number(v); constraints[node].n_fixed < dim)
-          {
-            is_slower[node] = motion[node] > 0.;
-            if (n > 0 && !(is_pushed[node] > 0.))
-            {
-              push[node] += mean / n;
-              ++n_pushes[node];
-            }
-          }
-      }
-      for (unsigned int node = 0; node < constraints.size(); ++node)
-      {
-        const NodeConstraint<dim> &prescribed = constraints[node];
-        if (is_slower[node])
-          motion[node] = std::max(0., motion[node] - 0.25);
-        if (n_pushes[node] > 0)
-        {
-          is_pushed[node] = 1.;
-          for (unsigned int a = prescribed.n_fixed; a < dim; ++a)
-            least[node] += (push[node] / n_pushes[node] * prescribed.frame[a]) * prescribed.frame[a];
-        }
-        any = any || is_slower[node] || n_pushes[node] > 0;
-      }
-      any = !on_all_ranks(!any);
-      if (!any)
-        break;
-      system.partition().update(motion);
-      system.partition().update(is_pushed);
-      system.partition().update(least);
-      for (unsigned int node = 0; node < constraints.size(); ++node)
-        if (motion[node] < 1.)
-          velocities[node] = least[node] + motion[node] * (expected[node] - least[node]);
-      fluid.move(by_vertex(velocities));
-    }
-  }
-
-
-
-  template <int dim>
-  void StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration)
+  std::vector<Point<dim>> StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud,
+                                                          const Migration<dim> &migration)
   {
     std::vector<Point<dim>> positions(region_mesh->n_vertices() + solid.n_own_nodes());
     solid.get_positions(positions);
@@ -181,18 +115,19 @@ namespace Lahar
     else
       system.set_positions(positions);
 
-    start_position.clear();
+    std::vector<Point<dim>> known_positions;
     for (const unsigned int node : system.partition().nodes())
-      start_position.push_back(positions[node]);
+      known_positions.push_back(positions[node]);
     mesh = region_mesh;
     if (is_alone)
-      return;
+      return known_positions;
     std::vector<unsigned int> vertices;
     for (const unsigned int node : system.partition().nodes())
       if (node < region_mesh->n_vertices())
         vertices.push_back(node);
     part.reinit_part(*region_mesh, vertices, system.cells());
     mesh = &part;
+    return known_positions;
   }
 
 
@@ -220,44 +155,24 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints)
+  void StepProblem<dim>::set_constraints(const Start &start, const std::vector<Point<dim>> &positions)
   {
-    is_solid.assign(system.partition().nodes().size(), false);
+    const unsigned int n_nodes = system.partition().nodes().size();
+    std::vector<bool> is_solid(n_nodes, false), can_be_held(n_nodes, false);
     constraints.clear();
     for (const unsigned int node : system.partition().nodes())
-      constraints.push_back(node < vertex_constraints.size() ? vertex_constraints[node]
-                                                             : NodeConstraint<dim>());
+      constraints.push_back(node < start.constraints.size() ? start.constraints[node]
+                                                            : NodeConstraint<dim>());
     for (const auto &[node, i] : solid.known_nodes(system.partition()))
     {
       constraints[node] = solid.constraint(i);
       is_solid[node]    = true;
     }
-    fix_pressures();
-  }
-
-
-
-  template <int dim>
-  void StepProblem<dim>::fix_pressures()
-  {
-    fix_undetermined_pressures(system.cells_by_local_number(), system.partition(), constraints);
-    if (materials.any_incompressible())
-      closed_parts.fix_levels(system.cells_by_local_number(), start_position, system.partition(),
-                              compressible_nodes(), constraints);
+    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
+      can_be_held[system.local_number(v)] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
+    safeguards.start_step({*mesh, system, materials, is_solid, can_be_held, positions});
+    safeguards.fix_pressures(constraints);
     system.set_constraints(constraints);
-  }
-
-
-
-  template <int dim>
-  std::vector<bool> StepProblem<dim>::compressible_nodes() const
-  {
-    std::vector<bool> result(constraints.size(), false);
-    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
-      if (materials.law(mesh->fluid(c)).compressibility() > 0.)
-        for (const unsigned int v : mesh->cells()[c])
-          result[system.local_number(v)] = true;
-    return result;
   }
 
 
@@ -277,8 +192,6 @@ namespace Lahar
 
 
 
-  template void StepProblem<2>::fix_pressures();
-  template void StepProblem<3>::fix_pressures();
   template void StepProblem<2>::start_step(const Start &);
   template void StepProblem<3>::start_step(const Start &);
 } // namespace Lahar

@@ -2,6 +2,7 @@
 
 #include <lahar/simulator/step_problem.h>
 #include <lahar/utilities/ranks.h>
+#include <lahar/utilities/true_on_all_ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,6 @@
 
 namespace Lahar
 {
-  namespace
-  {
-    /// Increments that would invert simplices even at this part of their length are not taken.
-    constexpr double shortest_step = 1e-3;
-
-  } // namespace
-
-
-
   template <int dim>
   StepProblem<dim>::StepProblem(const MPI_Comm &communicator, TimerOutput &timer)
     : timer(timer)
@@ -76,19 +68,12 @@ namespace Lahar
 
 
   template <int dim>
-  bool StepProblem<dim>::on_all_ranks(const bool fine) const
-  {
-    return Utilities::MPI::min(fine ? 1U : 0U, communicator()) == 1U;
-  }
-
-
-
-  template <int dim>
   void StepProblem<dim>::assemble(const Linearization &linearization)
   {
     {
       TimerOutput::Scope scope(timer, "Assemble");
-      if (!on_all_ranks(assembler.assemble(*mesh, materials, fluid.state, linearization, system)))
+      if (!true_on_all_ranks(assembler.assemble(*mesh, materials, fluid.state, linearization, system),
+                             communicator()))
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
@@ -96,7 +81,7 @@ namespace Lahar
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
-      if (!on_all_ranks(solid.assemble(fluid.state.gravity, system)))
+      if (!true_on_all_ranks(solid.assemble(fluid.state.gravity, system), communicator()))
         throw RunError("an element of a solid is inverted");
     }
     if (!std::isfinite(momentum_residual_norm()) || !std::isfinite(mass_residual_norm()))
@@ -131,8 +116,10 @@ namespace Lahar
   {
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
-    step_state.start_iteration(node_velocities(), fluid.state, fluid.new_volumes(),
-                               system.velocities(solution), system.pressures(solution));
+    std::vector<Tensor<1, dim>> velocities = system.velocities(solution);
+    std::vector<double> pressures          = system.pressures(solution);
+    step_state.start_iteration(node_velocities(), fluid.state, fluid.new_volumes(), std::move(velocities),
+                               std::move(pressures));
     if (!materials.any_yields())
       return;
     std::vector<SymmetricTensor<2, dim>> base, change;
@@ -147,51 +134,12 @@ namespace Lahar
   void StepProblem<dim>::take_step(const double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    const unsigned int n_nodes = constraints.size();
-    std::vector<double> lengths(n_nodes, length);
-    std::vector<Tensor<1, dim>> velocities;
-    damped = false;
-    for (bool any_shorter = true; any_shorter;)
-    {
-      velocities = step_state.velocities(lengths);
-      fluid.move(by_vertex(velocities));
-      if (length == 1. && !damped)
-        crushed_cells.note(crushable_cells());
-      any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(step_state.base_volumes()))
-        if (double &own_length = lengths[system.local_number(v)]; own_length > 0.)
-        {
-          any_shorter = true;
-          own_length  = (own_length > shortest_step * length ? 0.5 * own_length : 0.);
-        }
-      any_shorter = !on_all_ranks(!any_shorter);
-      if (any_shorter)
-        system.partition().update(lengths);
-      damped = damped || any_shorter;
-    }
+    const std::vector<Tensor<1, dim>> velocities = safeguards.advance(step_state, length, constraints, fluid);
     solid.move(solid.gather(system.partition(), velocities));
-    if (length == 1.)
-      held_vertices.note(lengths);
     step_state.advance(length, fluid.state);
     set_norms();
     if (!std::isfinite(step_state.velocity_norm()) || !std::isfinite(step_state.pressure_norm()))
       throw RunError("velocity or pressure is not a finite number");
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int> StepProblem<dim>::crushable_cells() const
-  {
-    std::vector<unsigned int> result = fluid.shrinking_cells(step_state.base_volumes());
-    const auto gives_way             = [&](const unsigned int c) {
-      return std::any_of(mesh->cells()[c].begin(), mesh->cells()[c].end(), [&](const unsigned int v) {
-        const unsigned int node = system.local_number(v);
-        return constraints[node].n_fixed < dim && !is_solid[node];
-      });
-    };
-    result.erase(std::remove_if(result.begin(), result.end(), gives_way), result.end());
-    return result;
   }
 
 
@@ -211,7 +159,7 @@ namespace Lahar
   template <int dim>
   bool StepProblem<dim>::is_settled() const
   {
-    return !friction.any() || on_all_ranks(friction.is_settled());
+    return !friction.any() || true_on_all_ranks(friction.is_settled(), communicator());
   }
 
 
@@ -220,9 +168,8 @@ namespace Lahar
   void StepProblem<dim>::end_iteration()
   {
     iterate_friction();
-    crushed_cells.update(fluid.state.left_out);
-    if (held_vertices.update(system.partition(), constraints))
-      fix_pressures();
+    if (safeguards.end_iteration(fluid, constraints))
+      system.set_constraints(constraints);
   }
 
 
@@ -230,8 +177,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::check_closed_parts() const
   {
-    closed_parts.check(system.cells_by_local_number(), start_position, fluid.old_volumes(),
-                       fluid.new_volumes(), system.partition());
+    safeguards.check_closed_parts(fluid);
   }
 
 

@@ -10,13 +10,9 @@
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
 #include <lahar/remeshing/migration.h>
-#include <lahar/simulator/closed_parts.h>
-#include <lahar/simulator/crushed_cells.h>
-#include <lahar/simulator/fluid_step.h>
-#include <lahar/simulator/held_vertices.h>
+#include <lahar/simulator/safeguards.h>
 #include <lahar/simulator/sliding_friction.h>
 #include <lahar/simulator/solid_step.h>
-#include <lahar/simulator/step_state.h>
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
@@ -25,7 +21,19 @@ namespace Lahar
 {
   /**
    * The nonlinear problem of one time step: state, residual, linear system and update, of the fluid and the solids
-   * together. The nonlinear schemes drive it.
+   * together. The nonlinear schemes drive it:
+   *
+   *   start_step()                     the unknowns are numbered, velocities and pressures are those that are expected
+   *   assemble()                       residual and Jacobian of the present state
+   *   until the increments are small:
+   *     solve()                        increments of velocities and pressures
+   *     take_step(length)              as often as wanted, each time from the state in which the system was solved
+   *     end_iteration()                what must not stop the next iteration is held, left out or slides
+   *     assemble()
+   *   accept()                         the end of the step goes to particles and solids
+   *
+   * A step that fails is left anywhere, with a RunError; the next start_step() needs nothing of it. What keeps the
+   * iteration going where the mesh would stop it is apart from this, in Safeguards.
    *
    * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these
    * (SolidStep). They are shared out among the ranks (NodePartition). A rank has the state of the nodes that it knows, by
@@ -78,15 +86,12 @@ namespace Lahar
      */
     unsigned int solve(const double negligible, const bool in_two_steps = false);
 
-    /**
-     * Move from the state in which the system was solved by @p length times the increments. Where simplices would
-     * invert or lose most of their volume, the velocity increments of their vertices are halved until none does: a flat
-     * simplex at an impact must not hold up the rest of the fluid. May be called again with another length.
-     */
+    /// Move from the state in which the system was solved by @p length times the increments, less where simplices would be
+    /// flattened, see Safeguards. May be called again with another length.
     void take_step(const double length);
 
-    /// End an iteration: vertices that cannot follow their increments are held, see HeldVertices, cells that a solid
-    /// crushes are left out, see CrushedCells, and friction is what the velocities ask for, see SlidingFriction.
+    /// End an iteration: what cannot follow its increments is held or left out, see Safeguards, and friction is what the
+    /// velocities ask for, see SlidingFriction.
     void end_iteration();
 
     /// Whether the last iteration solved the step's own equations, see SlidingFriction::is_settled(). Collective.
@@ -118,7 +123,7 @@ namespace Lahar
     /// Whether increments were halved in the last step.
     bool was_damped() const
     {
-      return damped;
+      return safeguards.was_damped();
     }
 
     /// @throws RunError if fluid without a free surface could not keep its volume, see ClosedParts.
@@ -127,7 +132,7 @@ namespace Lahar
     /// Number of vertices that are held.
     unsigned int n_held() const
     {
-      return held_vertices.number();
+      return safeguards.n_held();
     }
 
     /// How far the fastest particle of @p cloud moves in the step, over its spacing, and where it starts from, m.
@@ -187,20 +192,14 @@ namespace Lahar
     }
 
   private:
-    void reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+    /// Number the nodes. @return where those are that this rank knows.
+    std::vector<Point<dim>> reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
     NodeIdentities identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
                                   const std::vector<Point<dim>> &positions) const;
-    void set_constraints(const std::vector<NodeConstraint<dim>> &vertex_constraints);
-    /// Fix the pressures that nothing determines, and hand the constraints to the system.
-    void fix_pressures();
-    /// The cells that cannot keep themselves from being crushed, of those that the present state would flatten.
-    std::vector<unsigned int> crushable_cells() const;
-    /// Keep simplices from being flattened by the old velocities.
-    void slow_down(std::vector<Tensor<1, dim>> &velocities);
+    /// Prescribe what is told by vertex of the region's mesh, and what the solids prescribe.
+    void set_constraints(const Start &start, const std::vector<Point<dim>> &positions);
     /// Multipliers of the cells, and which cells belong to parts of the fluid that stand.
     void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
-    /// Whether something is so on all ranks.
-    bool on_all_ranks(const bool fine) const;
     void start_iteration();
     /// Friction follows velocities, pressures and reactions.
     void iterate_friction();
@@ -213,11 +212,11 @@ namespace Lahar
     std::vector<T> by_node(const std::vector<T> &by_vertex) const;
     /// Bring the values of other ranks' vertices, for one fluid after the other, up to date.
     void update_by_fluid(std::vector<Tensor<1, dim>> &values) const;
-    /// By local number: whether the node has a cell of a compressible fluid.
-    std::vector<bool> compressible_nodes() const;
     /// Bring the values of other ranks' vertices up to date.
     template <typename T>
     void update_vertices(std::vector<T> &by_vertex) const;
+    /// Impose the velocities that are prescribed on those of the nodes.
+    void impose(std::vector<Tensor<1, dim>> &velocities) const;
     /// What counts as nothing in this step, see StepState.
     typename StepState<dim>::Floors floors(const ParticleCloud<dim> &cloud) const;
     void set_norms();
@@ -240,15 +239,10 @@ namespace Lahar
       numbers::invalid_unsigned_int; ///< of the mesh that the system was made for
     std::vector<unsigned int> numbered_solid_nodes;
     StepState<dim> step_state;
-    bool damped = false;
     std::vector<NodeConstraint<dim>> constraints; ///< by local number
-    HeldVertices<dim> held_vertices;
-    CrushedCells crushed_cells;
-    ClosedParts<dim> closed_parts;
+    Safeguards<dim> safeguards;
     SlidingFriction<dim> friction;
-    std::vector<Point<dim>> start_position; ///< by local number
-    std::vector<bool> is_solid;             ///< by local number: whether the node is a solid's
-    double standing_velocity = 1e-7;        ///< m/s
+    double standing_velocity = 1e-7; ///< m/s
   };
 
 
