@@ -22,7 +22,7 @@ namespace Lahar
   template <int dim>
   void FluidStep<dim>::start(const FluidMesh<dim> &new_mesh, const ParticleCloud<dim> &cloud,
                              const TimeIntegration &new_integration, const Tensor<1, dim> &gravity,
-                             const std::vector<bool> &new_impulsive)
+                             const IndexVector<Vertex, bool> &new_impulsive)
   {
     mesh              = &new_mesh;
     integration       = new_integration;
@@ -46,9 +46,9 @@ namespace Lahar
     state.mean_velocity = state.old_velocity;
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      state.velocity_factor[v]     = integration.velocity_factor(impulsive[v]);
-      state.acceleration_factor[v] = integration.acceleration_factor(impulsive[v]);
-      if (!impulsive[v])
+      state.velocity_factor[v]     = integration.velocity_factor(impulsive[Vertex(v)]);
+      state.acceleration_factor[v] = integration.acceleration_factor(impulsive[Vertex(v)]);
+      if (!impulsive[Vertex(v)])
         state.mean_velocity[v] += predicted_part * state.time_step * state.old_acceleration[v];
     }
     state.pressure                 = state.old_pressure;
@@ -61,20 +61,20 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidStep<dim>::move(const std::vector<Tensor<1, dim>> &mean_velocities)
+  void FluidStep<dim>::move(const IndexVector<Vertex, Tensor<1, dim>> &mean_velocities)
   {
     AssertDimension(mean_velocities.size(), mesh->n_vertices());
-    state.mean_velocity = mean_velocities;
+    state.mean_velocity = mean_velocities.raw();
     for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
     {
-      const Motion<dim> end             = integration.end_of_step<dim>(mean_velocities[v],
+      const Motion<dim> end             = integration.end_of_step<dim>(state.mean_velocity[v],
                                                            {state.old_velocity[v], state.old_acceleration[v],
                                                                         state.old_algorithmic_acceleration[v]},
-                                                           impulsive[v]);
+                                                           impulsive[Vertex(v)]);
       state.velocity[v]                 = end.velocity;
       state.acceleration[v]             = end.acceleration;
       state.algorithmic_acceleration[v] = end.algorithmic_acceleration;
-      state.position[v]                 = state.old_position[v] + state.time_step * mean_velocities[v];
+      state.position[v]                 = state.old_position[v] + state.time_step * state.mean_velocity[v];
     }
   }
 
@@ -106,11 +106,12 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<unsigned int> FluidStep<dim>::shrinking_vertices(const std::vector<double> &from) const
+  std::vector<Vertex> FluidStep<dim>::shrinking_vertices(const std::vector<double> &from) const
   {
-    std::vector<unsigned int> vertices;
+    std::vector<Vertex> vertices;
     for (const unsigned int c : shrinking_cells(from))
-      vertices.insert(vertices.end(), mesh->cells()[c].begin(), mesh->cells()[c].end());
+      for (const unsigned int v : mesh->cells()[c])
+        vertices.push_back(Vertex(v));
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;

@@ -22,7 +22,7 @@ namespace Lahar
 
 
   template <int dim>
-  void HeldVertices<dim>::start_step(const std::vector<bool> &new_can_be_held)
+  void HeldVertices<dim>::start_step(const IndexVector<LocalNode, bool> &new_can_be_held)
   {
     can_be_held = new_can_be_held;
     followed.assign(can_be_held.size(), 1.);
@@ -34,7 +34,7 @@ namespace Lahar
 
 
   template <int dim>
-  void HeldVertices<dim>::note(const std::vector<double> &lengths)
+  void HeldVertices<dim>::note(const IndexVector<LocalNode, double> &lengths)
   {
     followed = lengths;
   }
@@ -43,12 +43,12 @@ namespace Lahar
 
   template <int dim>
   bool HeldVertices<dim>::update(const NodePartition &partition,
-                                 std::vector<NodeConstraint<dim>> &constraints)
+                                 IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
     // Ranks that know a vertex know the same of it, and come to the same decision.
     const unsigned int n_before = n_held;
     unsigned int n_own_new      = 0;
-    for (unsigned int v = 0; v < followed.size(); ++v)
+    for (const LocalNode v : followed.indices())
     {
       const bool is_short = followed[v] < 1.;
       n_short[v]          = is_short ? n_short[v] + 1 : 0;
@@ -58,7 +58,7 @@ namespace Lahar
         can_be_held[v]         = false;
         constraints[v]         = {};
         constraints[v].n_fixed = dim;
-        n_own_new += (v < partition.n_own());
+        n_own_new += (v.value() < partition.n_own());
       }
     }
     n_held += Utilities::MPI::sum(n_own_new, partition.communicator());

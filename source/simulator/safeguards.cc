@@ -25,6 +25,7 @@ namespace Lahar
   {
     mesh            = &start.mesh;
     system          = &start.system;
+    numbering       = &start.numbering;
     is_solid        = std::move(start.is_solid);
     start_positions = std::move(start.positions);
     find_compressible_nodes(start.materials);
@@ -42,57 +43,47 @@ namespace Lahar
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
       if (materials.law(mesh->fluid(c)).compressibility() > 0.)
         for (const unsigned int v : mesh->cells()[c])
-          is_compressible[system->local_number(v)] = true;
+          is_compressible[numbering->node(Vertex(v))] = true;
   }
 
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> Safeguards<dim>::by_vertex(const std::vector<Tensor<1, dim>> &of_nodes) const
+  void Safeguards<dim>::fix_pressures(IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
-    std::vector<Tensor<1, dim>> result(mesh->n_vertices());
-    for (unsigned int v = 0; v < result.size(); ++v)
-      result[v] = of_nodes[system->local_number(v)];
-    return result;
-  }
-
-
-
-  template <int dim>
-  void Safeguards<dim>::fix_pressures(std::vector<NodeConstraint<dim>> &constraints)
-  {
-    fix_undetermined_pressures(system->cells_by_local_number(), system->partition(), constraints);
+    fix_undetermined_pressures(system->cells_by_local_number(), system->partition(), constraints.raw());
     if (any_incompressible)
-      closed_parts.fix_levels(system->cells_by_local_number(), start_positions, system->partition(),
-                              is_compressible, constraints);
+      closed_parts.fix_levels(system->cells_by_local_number(), start_positions.raw(), system->partition(),
+                              is_compressible.raw(), constraints.raw());
   }
 
 
 
   template <int dim>
-  void Safeguards<dim>::slow_down(const std::vector<NodeConstraint<dim>> &constraints, FluidStep<dim> &fluid,
-                                  std::vector<Tensor<1, dim>> &velocities) const
+  void Safeguards<dim>::slow_down(const IndexVector<LocalNode, NodeConstraint<dim>> &constraints,
+                                  FluidStep<dim> &fluid,
+                                  IndexVector<LocalNode, Tensor<1, dim>> &velocities) const
   {
-    const NodePartition &partition             = system->partition();
-    const std::vector<Tensor<1, dim>> expected = velocities;
-    const std::vector<double> old_volumes      = fluid.old_volumes();
-    std::vector<double> motion(constraints.size(), 1.), is_pushed(constraints.size(), 0.);
-    std::vector<Tensor<1, dim>> least(constraints.size());
-    for (unsigned int node = 0; node < constraints.size(); ++node)
+    const NodePartition &partition                        = system->partition();
+    const IndexVector<LocalNode, Tensor<1, dim>> expected = velocities;
+    const std::vector<double> old_volumes                 = fluid.old_volumes();
+    IndexVector<LocalNode, double> motion(constraints.size(), 1.), is_pushed(constraints.size(), 0.);
+    IndexVector<LocalNode, Tensor<1, dim>> least(constraints.size());
+    for (const LocalNode node : constraints.indices())
       least[node] = constraints[node].velocity;
-    fluid.move(by_vertex(velocities));
+    fluid.move(numbering->by_vertex(velocities));
     for (bool any = true; any;)
     {
       any = false;
-      std::vector<Tensor<1, dim>> push(constraints.size());
-      std::vector<unsigned int> n_pushes(constraints.size(), 0);
-      std::vector<bool> is_slower(constraints.size(), false);
+      IndexVector<LocalNode, Tensor<1, dim>> push(constraints.size());
+      IndexVector<LocalNode, unsigned int> n_pushes(constraints.size(), 0);
+      IndexVector<LocalNode, bool> is_slower(constraints.size(), false);
       for (const unsigned int c : fluid.shrinking_cells(old_volumes))
       {
         Tensor<1, dim> mean;
         unsigned int n = 0;
         for (const unsigned int v : mesh->cells()[c])
-          if (const unsigned int node = system->local_number(v);
+          if (const LocalNode node = numbering->node(Vertex(v));
               is_pushed[node] > 0. ||
               (constraints[node].n_fixed == dim && (constraints[node].moves || is_solid[node])))
           {
@@ -100,7 +91,7 @@ namespace Lahar
             ++n;
           }
         for (const unsigned int v : mesh->cells()[c])
-          if (const unsigned int node = system->local_number(v); constraints[node].n_fixed < dim)
+          if (const LocalNode node = numbering->node(Vertex(v)); constraints[node].n_fixed < dim)
           {
             is_slower[node] = motion[node] > 0.;
             if (n > 0 && !(is_pushed[node] > 0.))
@@ -110,7 +101,7 @@ namespace Lahar
             }
           }
       }
-      for (unsigned int node = 0; node < constraints.size(); ++node)
+      for (const LocalNode node : constraints.indices())
       {
         const NodeConstraint<dim> &prescribed = constraints[node];
         if (is_slower[node])
@@ -126,42 +117,43 @@ namespace Lahar
       any = !true_on_all_ranks(!any, partition.communicator());
       if (!any)
         break;
-      partition.update(motion);
-      partition.update(is_pushed);
-      partition.update(least);
-      for (unsigned int node = 0; node < constraints.size(); ++node)
+      partition.update(motion.raw());
+      partition.update(is_pushed.raw());
+      partition.update(least.raw());
+      for (const LocalNode node : constraints.indices())
         if (motion[node] < 1.)
           velocities[node] = least[node] + motion[node] * (expected[node] - least[node]);
-      fluid.move(by_vertex(velocities));
+      fluid.move(numbering->by_vertex(velocities));
     }
   }
 
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> Safeguards<dim>::advance(const StepState<dim> &state, const double length,
-                                                       const std::vector<NodeConstraint<dim>> &constraints,
-                                                       FluidStep<dim> &fluid)
+  IndexVector<LocalNode, Tensor<1, dim>>
+  Safeguards<dim>::advance(const StepState<dim> &state, const double length,
+                           const IndexVector<LocalNode, NodeConstraint<dim>> &constraints,
+                           FluidStep<dim> &fluid)
   {
-    std::vector<double> lengths(constraints.size(), length);
-    std::vector<Tensor<1, dim>> velocities;
+    IndexVector<LocalNode, double> lengths(constraints.size(), length);
+    IndexVector<LocalNode, Tensor<1, dim>> velocities;
     damped = false;
     for (bool any_shorter = true; any_shorter;)
     {
       velocities = state.velocities(lengths);
-      fluid.move(by_vertex(velocities));
+      fluid.move(numbering->by_vertex(velocities));
       if (length == 1. && !damped)
         crushed_cells.note(crushable_cells(fluid, state.base_volumes(), constraints));
       any_shorter = false;
-      for (const unsigned int v : fluid.shrinking_vertices(state.base_volumes()))
-        if (double &own_length = lengths[system->local_number(v)]; own_length > 0.)
+      for (const Vertex v : fluid.shrinking_vertices(state.base_volumes()))
+        if (double &own_length = lengths[numbering->node(v)]; own_length > 0.)
         {
           any_shorter = true;
           own_length  = (own_length > shortest_step * length ? 0.5 * own_length : 0.);
         }
       any_shorter = !true_on_all_ranks(!any_shorter, system->partition().communicator());
       if (any_shorter)
-        system->partition().update(lengths);
+        system->partition().update(lengths.raw());
       damped = damped || any_shorter;
     }
     if (length == 1.)
@@ -174,12 +166,12 @@ namespace Lahar
   template <int dim>
   std::vector<unsigned int>
   Safeguards<dim>::crushable_cells(const FluidStep<dim> &fluid, const std::vector<double> &volumes,
-                                   const std::vector<NodeConstraint<dim>> &constraints) const
+                                   const IndexVector<LocalNode, NodeConstraint<dim>> &constraints) const
   {
     std::vector<unsigned int> result = fluid.shrinking_cells(volumes);
     const auto gives_way             = [&](const unsigned int c) {
       return std::any_of(mesh->cells()[c].begin(), mesh->cells()[c].end(), [&](const unsigned int v) {
-        const unsigned int node = system->local_number(v);
+        const LocalNode node = numbering->node(Vertex(v));
         return constraints[node].n_fixed < dim && !is_solid[node];
       });
     };
@@ -190,7 +182,8 @@ namespace Lahar
 
 
   template <int dim>
-  bool Safeguards<dim>::end_iteration(FluidStep<dim> &fluid, std::vector<NodeConstraint<dim>> &constraints)
+  bool Safeguards<dim>::end_iteration(FluidStep<dim> &fluid,
+                                      IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
     crushed_cells.update(fluid.state.left_out);
     if (!held_vertices.update(system->partition(), constraints))
@@ -204,7 +197,7 @@ namespace Lahar
   template <int dim>
   void Safeguards<dim>::check_closed_parts(const FluidStep<dim> &fluid) const
   {
-    closed_parts.check(system->cells_by_local_number(), start_positions, fluid.old_volumes(),
+    closed_parts.check(system->cells_by_local_number(), start_positions.raw(), fluid.old_volumes(),
                        fluid.new_volumes(), system->partition());
   }
 

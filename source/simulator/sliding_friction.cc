@@ -24,7 +24,7 @@ namespace Lahar
   void SlidingFriction<dim>::start_step(const std::vector<SlidingContact<dim>> &found,
                                         const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                                         const Materials &materials, const double time_step,
-                                        const NodePartition &partition)
+                                        const Numbering &numbering, const MPI_Comm &communicator)
   {
     n_iterations = 0;
     contacts.clear();
@@ -35,8 +35,8 @@ namespace Lahar
         place->second = &contact;
     for (const SlidingContact<dim> &contact : found)
     {
-      const unsigned int node = partition.local(contact.vertex);
-      if (node == numbers::invalid_unsigned_int)
+      const LocalNode node = numbering.node(RegionVertex(contact.vertex));
+      if (!node.is_valid())
         continue;
       const unsigned int particle = mesh.particle(contact.vertex);
       const double h              = cloud.spacing[particle];
@@ -56,29 +56,30 @@ namespace Lahar
         viscosity_factor * law.viscous_part(1. / time_step, std::max(-cloud.pressure[particle], 0.)).value /
           h;
     }
-    is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, partition.communicator()) == 1U;
+    is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, communicator) == 1U;
   }
 
 
 
   template <int dim>
-  void SlidingFriction<dim>::assemble(const std::vector<Tensor<1, dim>> &velocities,
-                                      const std::vector<double> &pressures, BlockSystem<dim> &system) const
+  void SlidingFriction<dim>::assemble(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                      const IndexVector<LocalNode, double> &pressures,
+                                      BlockSystem<dim> &system) const
   {
     for (const Contact &contact : contacts)
     {
       const SlidingForce<dim> force = contact.at.force(velocities[contact.node], pressures[contact.node],
                                                        contact.state);
-      system.add_at_node(contact.node, force.value, force.by_velocity, force.by_pressure);
+      system.add_at_node(contact.node.value(), force.value, force.by_velocity, force.by_pressure);
     }
   }
 
 
 
   template <int dim>
-  void SlidingFriction<dim>::iterate(const std::vector<Tensor<1, dim>> &velocities,
-                                     const std::vector<double> &pressures,
-                                     const std::vector<Tensor<1, dim>> &reactions)
+  void SlidingFriction<dim>::iterate(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                     const IndexVector<LocalNode, double> &pressures,
+                                     const IndexVector<LocalNode, Tensor<1, dim>> &reactions)
   {
     const bool follows = n_iterations++ < n_following;
     for (Contact &contact : contacts)
@@ -98,9 +99,9 @@ namespace Lahar
 
 
   template <int dim>
-  void SlidingFriction<dim>::accept(const std::vector<Tensor<1, dim>> &velocities,
-                                    const std::vector<double> &pressures, const FluidMesh<dim> &mesh,
-                                    ParticleCloud<dim> &cloud) const
+  void SlidingFriction<dim>::accept(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                    const IndexVector<LocalNode, double> &pressures,
+                                    const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const
   {
     for (Tensor<1, dim> &multiplier : cloud.friction)
       multiplier = Tensor<1, dim>();

@@ -15,7 +15,7 @@ namespace Lahar
                              const TimeIntegration &new_integration, const double end_time)
   {
     solids = &new_solids;
-    system_nodes.clear();
+    region_nodes.clear();
     own_nodes.clear();
     n_vertices = mesh.n_vertices();
     if (solids->empty())
@@ -25,21 +25,21 @@ namespace Lahar
 
     // The solids' particles come first in the cloud, and so among the vertices.
     const SolidMesh<dim> &solid_mesh = solids->mesh();
-    system_nodes.assign(solid_mesh.n_nodes(), numbers::invalid_unsigned_int);
+    region_nodes.assign(solid_mesh.n_nodes(), RegionNode());
     for (unsigned int v = 0; v < n_vertices && mesh.particle(v) < solid_mesh.n_contour_nodes(); ++v)
-      system_nodes[mesh.particle(v)] = v;
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
-      if (system_nodes[i] == numbers::invalid_unsigned_int)
+      region_nodes[SolidNode(mesh.particle(v))] = RegionNode(v);
+    for (const SolidNode i : region_nodes.indices())
+      if (!region_nodes[i].is_valid())
       {
-        system_nodes[i] = n_vertices + own_nodes.size();
+        region_nodes[i] = RegionNode(n_vertices + own_nodes.size());
         own_nodes.push_back(i);
       }
 
     state           = solids->state();
-    mean_velocities = state.velocity;
-    for (unsigned int i = 0; i < solid_mesh.n_nodes(); ++i)
-      if (solids->is_fixed(i))
-        mean_velocities[i] = solids->prescribed_velocity(i, end_time - 0.5 * integration.length());
+    mean_velocities = IndexVector<SolidNode, Tensor<1, dim>>(state.velocity);
+    for (const SolidNode i : mean_velocities.indices())
+      if (solids->is_fixed(i.value()))
+        mean_velocities[i] = solids->prescribed_velocity(i.value(), end_time - 0.5 * integration.length());
   }
 
 
@@ -48,85 +48,73 @@ namespace Lahar
   std::vector<unsigned int> SolidStep<dim>::cells() const
   {
     std::vector<unsigned int> result;
-    if (!system_nodes.empty())
+    if (!region_nodes.empty())
       for (const unsigned int node : solids->mesh().cell_nodes())
-        result.push_back(system_nodes[node]);
+        result.push_back(region_nodes[SolidNode(node)].value());
     return result;
   }
 
 
 
   template <int dim>
-  std::vector<std::pair<unsigned int, unsigned int>>
-  SolidStep<dim>::known_nodes(const NodePartition &partition) const
-  {
-    std::vector<std::pair<unsigned int, unsigned int>> result;
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
-      if (partition.local(system_nodes[i]) != numbers::invalid_unsigned_int)
-        result.emplace_back(partition.local(system_nodes[i]), i);
-    return result;
-  }
-
-
-
-  template <int dim>
-  NodeConstraint<dim> SolidStep<dim>::constraint(const unsigned int node) const
+  NodeConstraint<dim> SolidStep<dim>::constraint(const SolidNode node) const
   {
     NodeConstraint<dim> result;
-    result.n_fixed = solids->is_fixed(node) ? dim : 0;
+    result.n_fixed = solids->is_fixed(node.value()) ? dim : 0;
     return result;
   }
 
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> SolidStep<dim>::gather(const NodePartition &partition,
-                                                     const std::vector<Tensor<1, dim>> &values) const
+  IndexVector<SolidNode, Tensor<1, dim>>
+  SolidStep<dim>::gather(const Numbering &numbering, const MPI_Comm &communicator,
+                         const IndexVector<LocalNode, Tensor<1, dim>> &values) const
   {
-    if (system_nodes.empty())
-      return {};
+    IndexVector<SolidNode, Tensor<1, dim>> result(region_nodes.size());
+    if (region_nodes.empty())
+      return result;
     std::vector<std::pair<unsigned int, Tensor<1, dim>>> own;
-    for (const auto &[l, i] : known_nodes(partition))
-      if (l < partition.n_own())
-        own.emplace_back(i, values[l]);
-    std::vector<Tensor<1, dim>> result(system_nodes.size());
-    if (Utilities::MPI::n_mpi_processes(partition.communicator()) == 1)
+    for (const auto &[node, i] : numbering.solid_nodes())
+      if (numbering.is_own(node))
+        own.emplace_back(i.value(), values[node]);
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
       for (const auto &[i, value] : own)
-        result[i] = value;
+        result[SolidNode(i)] = value;
     else
-      for (const auto &of_rank : Utilities::MPI::all_gather(partition.communicator(), own))
+      for (const auto &of_rank : Utilities::MPI::all_gather(communicator, own))
         for (const auto &[i, value] : of_rank)
-          result[i] = value;
+          result[SolidNode(i)] = value;
     return result;
   }
 
 
 
   template <int dim>
-  void SolidStep<dim>::move(const std::vector<Tensor<1, dim>> &new_mean_velocities)
+  void SolidStep<dim>::move(const IndexVector<SolidNode, Tensor<1, dim>> &new_mean_velocities)
   {
     mean_velocities            = new_mean_velocities;
     const SolidState<dim> &old = solids->state();
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
+    for (unsigned int i = 0; i < region_nodes.size(); ++i)
     {
-      const Motion<dim> end             = integration.end_of_step<dim>(mean_velocities[i],
+      const Motion<dim> end             = integration.end_of_step<dim>(mean_velocities[SolidNode(i)],
                                                            {old.velocity[i], old.acceleration[i],
                                                                         old.algorithmic_acceleration[i]},
                                                            solids->is_fixed(i));
       state.velocity[i]                 = end.velocity;
       state.acceleration[i]             = end.acceleration;
       state.algorithmic_acceleration[i] = end.algorithmic_acceleration;
-      state.position[i]                 = old.position[i] + integration.length() * mean_velocities[i];
+      state.position[i] = old.position[i] + integration.length() * mean_velocities[SolidNode(i)];
     }
   }
 
 
 
   template <int dim>
-  void SolidStep<dim>::get_positions(std::vector<Point<dim>> &positions) const
+  void SolidStep<dim>::get_positions(IndexVector<RegionNode, Point<dim>> &positions) const
   {
-    for (unsigned int i = 0; i < system_nodes.size(); ++i)
-      positions[system_nodes[i]] = state.position[i];
+    for (const SolidNode i : region_nodes.indices())
+      positions[region_nodes[i]] = state.position[i.value()];
   }
 
 
@@ -134,9 +122,12 @@ namespace Lahar
   template <int dim>
   bool SolidStep<dim>::assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const
   {
-    return system_nodes.empty() ||
+    std::vector<unsigned int> nodes;
+    for (const RegionNode node : region_nodes)
+      nodes.push_back(node.value());
+    return region_nodes.empty() ||
            assembler.assemble(*solids, state, {integration.length(), integration.acceleration_factor(false)},
-                              {gravity, external_forces}, system_nodes, system);
+                              {gravity, external_forces}, nodes, system);
   }
 
 
@@ -145,7 +136,7 @@ namespace Lahar
   double SolidStep<dim>::speed_of_sound() const
   {
     double speed = 0.;
-    if (!system_nodes.empty())
+    if (!region_nodes.empty())
       for (const SolidBody<dim> &body : solids->all_bodies())
         speed = std::max(speed, std::sqrt((body.law->bulk_modulus() + 4. / 3. * body.law->shear_modulus()) /
                                           body.law->density()));
@@ -155,12 +146,12 @@ namespace Lahar
 
 
   template <int dim>
-  void SolidStep<dim>::accept(const std::vector<Tensor<1, dim>> &forces, Solids<dim> &target)
+  void SolidStep<dim>::accept(const IndexVector<SolidNode, Tensor<1, dim>> &forces, Solids<dim> &target)
   {
-    if (system_nodes.empty())
+    if (region_nodes.empty())
       return;
-    for (unsigned int i = 0; i < forces.size(); ++i)
-      state.reaction[i] = integration.mean_force(forces[i], target.state().reaction[i]);
+    for (const SolidNode i : forces.indices())
+      state.reaction[i.value()] = integration.mean_force(forces[i], target.state().reaction[i.value()]);
     assembler.update_stress(target, state);
     target.accept(state);
   }

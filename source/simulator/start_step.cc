@@ -28,16 +28,13 @@ namespace Lahar
     set_constraints(start, reinit_system(start.cloud, start.migration));
     linear_solver->forget();
 
-    std::vector<bool> impulsive; // what is told by vertex is by those of the region's mesh
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      const unsigned int node = system.local_number(v);
-      impulsive.push_back(start.arrives[system.partition().nodes()[node]] ||
-                          constraints[node].n_fixed == dim);
-    }
+    IndexVector<Vertex, bool> impulsive;
+    for (const Vertex v : numbering.vertices())
+      impulsive.push_back(start.arrives[numbering.region_vertex(v).value()] ||
+                          constraints[numbering.node(v)].n_fixed == dim);
     fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
     friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
-                        start.time_integration.length(), system.partition());
+                        start.time_integration.length(), numbering, communicator());
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
 
     if (materials.any_exact_yield_stress())
@@ -49,24 +46,24 @@ namespace Lahar
     update_by_fluid(fluid.state.residual_projection);
     if (materials.any_yields())
       assembler.start_plastic_dual(*mesh, materials, fluid.state);
-    std::vector<Tensor<1, dim>> velocities = node_velocities();
+    IndexVector<LocalNode, Tensor<1, dim>> velocities = node_velocities();
     impose(velocities);
     safeguards.slow_down(constraints, fluid, velocities);
-    solid.move(solid.gather(system.partition(), velocities));
+    solid.move(of_solids(velocities));
     set_norms();
   }
 
 
 
   template <int dim>
-  void StepProblem<dim>::impose(std::vector<Tensor<1, dim>> &velocities) const
+  void StepProblem<dim>::impose(IndexVector<LocalNode, Tensor<1, dim>> &velocities) const
   {
-    for (unsigned int node = 0; node < constraints.size(); ++node)
+    for (const LocalNode node : constraints.indices())
       if (const NodeConstraint<dim> &prescribed = constraints[node]; prescribed.moves)
         for (unsigned int a = 0; a < prescribed.n_fixed; ++a)
           velocities[node] += ((prescribed.velocity - velocities[node]) * prescribed.frame[a]) *
                               prescribed.frame[a];
-    for (const auto &[node, i] : solid.known_nodes(system.partition()))
+    for (const auto &[node, i] : numbering.solid_nodes())
       velocities[node] = solid.mean_velocity(i); // the prescribed ones
   }
 
@@ -76,10 +73,10 @@ namespace Lahar
   typename StepState<dim>::Floors StepProblem<dim>::floors(const ParticleCloud<dim> &cloud) const
   {
     double spacing = 0.;
-    for (unsigned int v = 0; v < system.n_own_fluid_nodes(); ++v)
-      spacing += cloud.spacing[mesh->particle(v)];
+    for (const Vertex v : numbering.own_vertices())
+      spacing += cloud.spacing[mesh->particle(v.value())];
     const double mean_spacing = Utilities::MPI::sum(spacing, communicator()) /
-                                std::max(1U, Utilities::MPI::sum(system.n_own_fluid_nodes(), communicator()));
+                                std::max(1U, Utilities::MPI::sum(numbering.n_own_vertices(), communicator()));
     // At rest there is nothing to compare with but what gravity does in a step, and the speed of sound. In free fall there
     // is no pressure: what counts is one that accelerates a cell to the fluid's speed within the step.
     return {(negligible_acceleration * fluid.state.gravity.norm() * fluid.state.time_step +
@@ -93,38 +90,37 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Point<dim>> StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud,
-                                                          const Migration<dim> &migration)
+  IndexVector<LocalNode, Point<dim>> StepProblem<dim>::reinit_system(const ParticleCloud<dim> &cloud,
+                                                                     const Migration<dim> &migration)
   {
-    std::vector<Point<dim>> positions(region_mesh->n_vertices() + solid.n_own_nodes());
+    IndexVector<RegionNode, Point<dim>> positions(region_mesh->n_vertices() + solid.n_own_nodes());
     solid.get_positions(positions);
     for (unsigned int v = 0; v < region_mesh->n_vertices(); ++v)
-      positions[v] = cloud.position[region_mesh->particle(v)];
+      positions[RegionNode(v)] = cloud.position[region_mesh->particle(v)];
     const bool is_alone = migration.is_alone();
-    if (!is_alone || region_mesh->connectivity_number() != connectivity_number ||
-        solid.nodes() != numbered_solid_nodes)
+    if (const auto now = std::make_pair(region_mesh->connectivity_number(), solid.nodes());
+        !is_alone || now != numbered)
     {
       TimerOutput::Scope scope(timer, "Set up system");
-      connectivity_number  = region_mesh->connectivity_number();
-      numbered_solid_nodes = solid.nodes();
+      numbered = now;
       system.reinit(region_mesh->n_vertices(), region_mesh->cells(),
-                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell()}, positions,
+                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell()}, positions.raw(),
                     is_alone ? NodeIdentities() : identify_nodes(cloud, migration, positions));
       solution = system.make_vector();
     }
     else
-      system.set_positions(positions);
+      system.set_positions(positions.raw());
 
-    std::vector<Point<dim>> known_positions;
-    for (const unsigned int node : system.partition().nodes())
-      known_positions.push_back(positions[node]);
+    numbering.reinit(system.partition(), region_mesh->n_vertices(), solid.nodes());
+    IndexVector<LocalNode, Point<dim>> known_positions;
+    for (const LocalNode node : numbering.nodes())
+      known_positions.push_back(positions[numbering.region_node(node)]);
     mesh = region_mesh;
     if (is_alone)
       return known_positions;
     std::vector<unsigned int> vertices;
-    for (const unsigned int node : system.partition().nodes())
-      if (node < region_mesh->n_vertices())
-        vertices.push_back(node);
+    for (const Vertex v : numbering.vertices())
+      vertices.push_back(numbering.region_vertex(v).value());
     part.reinit_part(*region_mesh, vertices, system.cells());
     mesh = &part;
     return known_positions;
@@ -135,7 +131,7 @@ namespace Lahar
   template <int dim>
   NodeIdentities StepProblem<dim>::identify_nodes(const ParticleCloud<dim> &cloud,
                                                   const Migration<dim> &migration,
-                                                  const std::vector<Point<dim>> &positions) const
+                                                  const IndexVector<RegionNode, Point<dim>> &positions) const
   {
     NodeIdentities identities;
     for (const unsigned int i : region_mesh->particles())
@@ -144,10 +140,10 @@ namespace Lahar
       identities.keys.push_back(cloud.number[i]);
     }
     constexpr std::uint64_t beyond_particles = 1ULL << 60;
-    for (unsigned int node = region_mesh->n_vertices(); node < positions.size(); ++node)
+    for (RegionNode node(region_mesh->n_vertices()); node.value() < positions.size(); ++node)
     {
       identities.owners.push_back(migration.rank_at(positions[node]));
-      identities.keys.push_back(beyond_particles + solid.solid_node(node));
+      identities.keys.push_back(beyond_particles + solid.solid_node(node).value());
     }
     return identities;
   }
@@ -155,24 +151,25 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::set_constraints(const Start &start, const std::vector<Point<dim>> &positions)
+  void StepProblem<dim>::set_constraints(const Start &start,
+                                         const IndexVector<LocalNode, Point<dim>> &positions)
   {
-    const unsigned int n_nodes = system.partition().nodes().size();
-    std::vector<bool> is_solid(n_nodes, false), can_be_held(n_nodes, false);
-    constraints.clear();
-    for (const unsigned int node : system.partition().nodes())
-      constraints.push_back(node < start.constraints.size() ? start.constraints[node]
-                                                            : NodeConstraint<dim>());
-    for (const auto &[node, i] : solid.known_nodes(system.partition()))
+    IndexVector<LocalNode, bool> is_solid(numbering.n_nodes(), false),
+      can_be_held(numbering.n_nodes(), false);
+    constraints.assign(numbering.n_nodes(), NodeConstraint<dim>());
+    for (const Vertex v : numbering.vertices())
+    {
+      constraints[numbering.node(v)] = start.constraints[numbering.region_vertex(v).value()];
+      can_be_held[numbering.node(v)] = start.cloud.kind[mesh->particle(v.value())] == ParticleKind::fluid;
+    }
+    for (const auto &[node, i] : numbering.solid_nodes())
     {
       constraints[node] = solid.constraint(i);
       is_solid[node]    = true;
     }
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      can_be_held[system.local_number(v)] = start.cloud.kind[mesh->particle(v)] == ParticleKind::fluid;
-    safeguards.start_step({*mesh, system, materials, is_solid, can_be_held, positions});
+    safeguards.start_step({*mesh, system, numbering, materials, is_solid, can_be_held, positions});
     safeguards.fix_pressures(constraints);
-    system.set_constraints(constraints);
+    system.set_constraints(constraints.raw());
   }
 
 
@@ -183,10 +180,12 @@ namespace Lahar
     const unsigned int n = mesh->n_vertices();
     for (unsigned int fluid = 0; fluid < materials.n_fluids(); ++fluid)
     {
-      const auto begin = values.begin() + fluid * n;
-      std::vector<Tensor<1, dim>> of_fluid(begin, begin + n);
-      update_vertices(of_fluid);
-      std::copy(of_fluid.begin(), of_fluid.end(), begin);
+      const auto begin                                = values.begin() + fluid * n;
+      IndexVector<LocalNode, Tensor<1, dim>> of_fluid = numbering.by_node(
+        IndexVector<Vertex, Tensor<1, dim>>(std::vector<Tensor<1, dim>>(begin, begin + n)));
+      system.partition().update(of_fluid.raw());
+      const IndexVector<Vertex, Tensor<1, dim>> updated = numbering.by_vertex(of_fluid);
+      std::copy(updated.begin(), updated.end(), begin);
     }
   }
 

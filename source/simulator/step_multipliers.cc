@@ -33,21 +33,22 @@ namespace Lahar
     const auto is_exact = [&](const unsigned int c) {
       return materials.law(mesh->fluid(c)).has_exact_yield_stress();
     };
-    boost::disjoint_sets_with_storage<> parts(constraints.size());
+    boost::disjoint_sets_with_storage<> parts(numbering.n_nodes());
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
       if (const Simplex<dim> &cell = system.cells_by_local_number()[c]; is_exact(c))
         for (const unsigned int node : cell)
           parts.union_set(cell[0], node);
-    std::vector<double> speed(constraints.size(), 0.);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-      speed[system.local_number(v)] = std::max(state.old_velocity[v].norm(), state.mean_velocity[v].norm());
-    spread_largest(parts, system.partition(), speed);
+    IndexVector<LocalNode, double> speed(numbering.n_nodes(), 0.);
+    for (const Vertex v : numbering.vertices())
+      speed[numbering.node(v)] = std::max(state.old_velocity[v.value()].norm(),
+                                          state.mean_velocity[v.value()].norm());
+    spread_largest(parts, system.partition(), speed.raw());
     const double slowest = standing_velocity +
                            negligible_acceleration * state.gravity.norm() * state.time_step;
     std::vector<bool> stands(mesh->n_vertices(), true); // all of its cells do
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
     {
-      state.stands[c] = is_exact(c) && speed[system.cells_by_local_number()[c][0]] < slowest;
+      state.stands[c] = is_exact(c) && speed[LocalNode(system.cells_by_local_number()[c][0])] < slowest;
       if (!state.stands[c])
         for (const unsigned int v : mesh->cells()[c])
           stands[v] = false;
@@ -82,13 +83,15 @@ namespace Lahar
   typename FluidAssembler<dim>::YieldGap StepProblem<dim>::yield_gap() const
   {
     // A cell counts on the rank of its node with the smallest number.
-    const std::vector<unsigned int> &number = system.partition().global_numbers();
     std::vector<bool> counted;
     for (const Simplex<dim> &cell : system.cells_by_local_number())
-      counted.push_back(
-        *std::min_element(cell.begin(), cell.end(), [&](const unsigned int a, const unsigned int b) {
-          return number[a] < number[b];
-        }) < system.partition().n_own());
+    {
+      LocalNode first(cell[0]);
+      for (const unsigned int corner : cell)
+        if (const LocalNode node(corner); numbering.global_node(node) < numbering.global_node(first))
+          first = node;
+      counted.push_back(numbering.is_own(first));
+    }
     auto own                          = assembler.yield_gap(*mesh, materials, fluid.state, counted);
     const std::vector<double> volumes = fluid.new_volumes();
     const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);

@@ -47,11 +47,27 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> StepProblem<dim>::node_velocities() const
+  IndexVector<LocalNode, Tensor<1, dim>> StepProblem<dim>::fluid_velocities() const
   {
-    std::vector<Tensor<1, dim>> velocities = by_node(fluid.state.mean_velocity);
-    for (const auto &[node, i] : solid.known_nodes(system.partition()))
-      if (!system.is_fluid(node))
+    return numbering.by_node(IndexVector<Vertex, Tensor<1, dim>>(fluid.state.mean_velocity));
+  }
+
+
+
+  template <int dim>
+  IndexVector<LocalNode, double> StepProblem<dim>::fluid_pressures() const
+  {
+    return numbering.by_node(IndexVector<Vertex, double>(fluid.state.pressure));
+  }
+
+
+
+  template <int dim>
+  IndexVector<LocalNode, Tensor<1, dim>> StepProblem<dim>::node_velocities() const
+  {
+    IndexVector<LocalNode, Tensor<1, dim>> velocities = fluid_velocities();
+    for (const auto &[node, i] : numbering.solid_nodes())
+      if (!numbering.is_vertex(node))
         velocities[node] = solid.mean_velocity(i);
     return velocities;
   }
@@ -59,10 +75,18 @@ namespace Lahar
 
 
   template <int dim>
+  IndexVector<SolidNode, Tensor<1, dim>>
+  StepProblem<dim>::of_solids(const IndexVector<LocalNode, Tensor<1, dim>> &values) const
+  {
+    return solid.gather(numbering, communicator(), values);
+  }
+
+
+
+  template <int dim>
   void StepProblem<dim>::set_norms()
   {
-    step_state.set_norms(node_velocities(), fluid.state, system.partition().n_own(),
-                         system.n_own_fluid_nodes(), communicator());
+    step_state.set_norms(node_velocities(), fluid.state, numbering, communicator());
   }
 
 
@@ -77,7 +101,7 @@ namespace Lahar
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
-      friction.assemble(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), system);
+      friction.assemble(fluid_velocities(), fluid_pressures(), system);
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
@@ -116,15 +140,15 @@ namespace Lahar
   {
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
-    std::vector<Tensor<1, dim>> velocities = system.velocities(solution);
-    std::vector<double> pressures          = system.pressures(solution);
+    IndexVector<LocalNode, Tensor<1, dim>> velocities(system.velocities(solution));
+    IndexVector<Vertex, double> pressures(system.pressures(solution));
     step_state.start_iteration(node_velocities(), fluid.state, fluid.new_volumes(), std::move(velocities),
                                std::move(pressures));
     if (!materials.any_yields())
       return;
     std::vector<SymmetricTensor<2, dim>> base, change;
-    assembler.predict_plastic_dual(*mesh, materials, fluid.state, by_vertex(step_state.velocity_change()),
-                                   base, change);
+    assembler.predict_plastic_dual(*mesh, materials, fluid.state,
+                                   numbering.by_vertex(step_state.velocity_change()).raw(), base, change);
     step_state.start_dual(std::move(base), std::move(change));
   }
 
@@ -134,8 +158,9 @@ namespace Lahar
   void StepProblem<dim>::take_step(const double length)
   {
     TimerOutput::Scope scope(timer, "Update");
-    const std::vector<Tensor<1, dim>> velocities = safeguards.advance(step_state, length, constraints, fluid);
-    solid.move(solid.gather(system.partition(), velocities));
+    const IndexVector<LocalNode, Tensor<1, dim>> velocities = safeguards.advance(step_state, length,
+                                                                                 constraints, fluid);
+    solid.move(of_solids(velocities));
     step_state.advance(length, fluid.state);
     set_norms();
     if (!std::isfinite(step_state.velocity_norm()) || !std::isfinite(step_state.pressure_norm()))
@@ -149,9 +174,9 @@ namespace Lahar
   {
     if (!friction.any())
       return;
-    std::vector<Tensor<1, dim>> reactions = system.momentum_residual();
-    system.partition().update(reactions);
-    friction.iterate(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), reactions);
+    IndexVector<LocalNode, Tensor<1, dim>> reactions(system.momentum_residual());
+    system.partition().update(reactions.raw());
+    friction.iterate(fluid_velocities(), fluid_pressures(), reactions);
   }
 
 
@@ -169,7 +194,7 @@ namespace Lahar
   {
     iterate_friction();
     if (safeguards.end_iteration(fluid, constraints))
-      system.set_constraints(constraints);
+      system.set_constraints(constraints.raw());
   }
 
 
@@ -185,13 +210,14 @@ namespace Lahar
   template <int dim>
   Point<dim> StepProblem<dim>::place_of_largest_increment() const
   {
-    std::vector<Point<dim>> positions   = by_node(fluid.state.position);
-    const std::vector<double> pressures = by_node(step_state.pressure_change());
-    for (const auto &[node, i] : solid.known_nodes(system.partition()))
+    const IndexVector<Vertex, Point<dim>> of_fluid(fluid.state.position);
+    IndexVector<LocalNode, Point<dim>> positions   = numbering.by_node(of_fluid);
+    const IndexVector<LocalNode, double> pressures = numbering.by_node(step_state.pressure_change());
+    for (const auto &[node, i] : numbering.solid_nodes())
       positions[node] = solid.position(i);
-    unsigned int place = 0;
-    double largest     = -1.;
-    for (unsigned int l = 0; l < system.partition().n_own(); ++l)
+    LocalNode place(0);
+    double largest = -1.;
+    for (const LocalNode l : numbering.own_nodes())
     {
       const double increment = step_state.increment_at(l, pressures[l]);
       if (increment > largest)
@@ -229,14 +255,12 @@ namespace Lahar
   template <int dim>
   std::vector<Tensor<1, dim>> StepProblem<dim>::reactions() const
   {
-    std::vector<Tensor<1, dim>> residuals = system.momentum_residual(), result(region_mesh->n_vertices());
-    system.partition().update(residuals);
-    for (unsigned int v = 0; v < mesh->n_vertices(); ++v)
-    {
-      const unsigned int node                  = system.local_number(v);
-      result[system.partition().nodes()[node]] = residuals[node];
-    }
-    return result;
+    IndexVector<LocalNode, Tensor<1, dim>> residuals(system.momentum_residual());
+    system.partition().update(residuals.raw());
+    IndexVector<RegionVertex, Tensor<1, dim>> result(region_mesh->n_vertices());
+    for (const Vertex v : numbering.vertices())
+      result[numbering.region_vertex(v)] = residuals[numbering.node(v)];
+    return result.raw();
   }
 
 
@@ -244,8 +268,8 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
-    solid.accept(solid.gather(system.partition(), system.solid_residual()), solids);
-    friction.accept(by_node(fluid.state.mean_velocity), by_node(fluid.state.pressure), *region_mesh, cloud);
+    solid.accept(of_solids(IndexVector<LocalNode, Tensor<1, dim>>(system.solid_residual())), solids);
+    friction.accept(fluid_velocities(), fluid_pressures(), *region_mesh, cloud);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory
   }

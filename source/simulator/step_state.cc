@@ -20,15 +20,15 @@ namespace Lahar
 
 
   template <int dim>
-  void StepState<dim>::start_iteration(std::vector<Tensor<1, dim>> velocities, const FluidState<dim> &fluid,
-                                       std::vector<double> new_volumes,
-                                       std::vector<Tensor<1, dim>> velocity_change,
-                                       std::vector<double> pressure_change)
+  void StepState<dim>::start_iteration(IndexVector<LocalNode, Tensor<1, dim>> velocities,
+                                       const FluidState<dim> &fluid, std::vector<double> new_volumes,
+                                       IndexVector<LocalNode, Tensor<1, dim>> velocity_change,
+                                       IndexVector<Vertex, double> pressure_change)
   {
     AssertDimension(velocities.size(), velocity_change.size());
     AssertDimension(fluid.pressure.size(), pressure_change.size());
     base_w  = std::move(velocities);
-    base_p  = fluid.pressure;
+    base_p  = IndexVector<Vertex, double>(fluid.pressure);
     volumes = std::move(new_volumes);
     delta_w = std::move(velocity_change);
     delta_p = std::move(pressure_change);
@@ -56,11 +56,12 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> StepState<dim>::velocities(const std::vector<double> &lengths) const
+  IndexVector<LocalNode, Tensor<1, dim>>
+  StepState<dim>::velocities(const IndexVector<LocalNode, double> &lengths) const
   {
     AssertDimension(lengths.size(), base_w.size());
-    std::vector<Tensor<1, dim>> result(lengths.size());
-    for (unsigned int node = 0; node < lengths.size(); ++node)
+    IndexVector<LocalNode, Tensor<1, dim>> result(lengths.size());
+    for (const LocalNode node : lengths.indices())
       result[node] = base_w[node] + lengths[node] * delta_w[node];
     return result;
   }
@@ -70,8 +71,8 @@ namespace Lahar
   template <int dim>
   void StepState<dim>::advance(const double length, FluidState<dim> &fluid) const
   {
-    for (unsigned int v = 0; v < base_p.size(); ++v)
-      fluid.pressure[v] = base_p[v] + length * delta_p[v];
+    for (const Vertex v : base_p.indices())
+      fluid.pressure[v.value()] = base_p[v] + length * delta_p[v];
     for (unsigned int c = 0; c < base_dual.size(); ++c)
       fluid.plastic_dual[c] = base_dual[c] + length * delta_dual[c];
   }
@@ -79,23 +80,23 @@ namespace Lahar
 
 
   template <int dim>
-  void StepState<dim>::set_norms(const std::vector<Tensor<1, dim>> &velocities, const FluidState<dim> &fluid,
-                                 const unsigned int n_own_nodes, const unsigned int n_own_vertices,
+  void StepState<dim>::set_norms(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                 const FluidState<dim> &fluid, const Numbering &numbering,
                                  const MPI_Comm &communicator)
   {
     double sums[6] = {}; // of w², δw², p², δp², and of the fluid v² and the vertices
-    for (unsigned int node = 0; node < n_own_nodes; ++node)
+    for (const LocalNode node : numbering.own_nodes())
     {
       sums[0] += velocities[node].norm_square();
       sums[1] += delta_w[node].norm_square();
     }
-    for (unsigned int v = 0; v < n_own_vertices; ++v)
+    for (const Vertex v : numbering.own_vertices())
     {
-      sums[2] += fluid.pressure[v] * fluid.pressure[v];
+      sums[2] += fluid.pressure[v.value()] * fluid.pressure[v.value()];
       sums[3] += delta_p[v] * delta_p[v];
-      sums[4] += fluid.velocity[v].norm_square();
+      sums[4] += fluid.velocity[v.value()].norm_square();
     }
-    sums[5] = n_own_vertices;
+    sums[5] = numbering.n_own_vertices();
     Utilities::MPI::sum(ArrayView<const double>(sums, 6), communicator, ArrayView<double>(sums, 6));
     const auto [w, dw, p, dp, v_end, n_vertices] = sums;
 
@@ -109,7 +110,7 @@ namespace Lahar
 
 
   template <int dim>
-  double StepState<dim>::increment_at(const unsigned int node, const double pressure_change) const
+  double StepState<dim>::increment_at(const LocalNode node, const double pressure_change) const
   {
     return delta_w[node].norm() / norm_of_w + std::abs(pressure_change) / norm_of_p;
   }

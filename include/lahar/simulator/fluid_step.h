@@ -4,6 +4,7 @@
 #define lahar_simulator_fluid_step_h
 
 #include <lahar/assembly/fluid_state.h>
+#include <lahar/linear/numbering.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/simulator/time_integration.h>
 
@@ -22,14 +23,14 @@ namespace Lahar
     /**
      * Begin a step with the state of the mesh's particles; the end is set to the start, the mean velocities to those that
      * the accelerations at the start let expect.
-     * @param gravity m/s². @param impulsive by vertex: whether it moves impulsively, see TimeIntegration.
+     * @param gravity m/s². @param impulsive whether a vertex moves impulsively, see TimeIntegration.
      */
     void start(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                const TimeIntegration &integration, const Tensor<1, dim> &gravity,
-               const std::vector<bool> &impulsive);
+               const IndexVector<Vertex, bool> &impulsive);
 
-    /// Set the mean velocities in the step, by vertex, and what follows from them.
-    void move(const std::vector<Tensor<1, dim>> &mean_velocities);
+    /// Set the mean velocities in the step, and what follows from them.
+    void move(const IndexVector<Vertex, Tensor<1, dim>> &mean_velocities);
 
     /// Volumes of the cells at the start and at the end of the step, m³ (m² in the plane).
     std::vector<double> old_volumes() const
@@ -45,7 +46,7 @@ namespace Lahar
     std::vector<unsigned int> shrinking_cells(const std::vector<double> &from) const;
 
     /// Their vertices, ascending.
-    std::vector<unsigned int> shrinking_vertices(const std::vector<double> &from) const;
+    std::vector<Vertex> shrinking_vertices(const std::vector<double> &from) const;
 
     /// Write the end of the step to the mesh's particles.
     void accept(ParticleCloud<dim> &cloud) const;
@@ -57,7 +58,7 @@ namespace Lahar
 
     const FluidMesh<dim> *mesh = nullptr;
     TimeIntegration integration;
-    std::vector<bool> impulsive; ///< by vertex
+    IndexVector<Vertex, bool> impulsive;
   };
 } // namespace Lahar
 

@@ -3,7 +3,8 @@
 #ifndef lahar_simulator_held_vertices_h
 #define lahar_simulator_held_vertices_h
 
-#include <lahar/linear/block_system.h>
+#include <lahar/linear/node_constraint.h>
+#include <lahar/linear/numbering.h>
 
 #include <vector>
 
@@ -20,18 +21,18 @@ namespace Lahar
   class HeldVertices
   {
   public:
-    /// Begin a step, in which no vertex is held. @param can_be_held by local number of the node.
-    void start_step(const std::vector<bool> &can_be_held);
+    /// Begin a step, in which no vertex is held.
+    void start_step(const IndexVector<LocalNode, bool> &can_be_held);
 
-    /// Take note of an iteration. @param lengths by local number: the part of the increment that was taken.
-    void note(const std::vector<double> &lengths);
+    /// Take note of an iteration. @param lengths the part of the increment that was taken.
+    void note(const IndexVector<LocalNode, double> &lengths);
 
     /**
-     * Hold vertices after an iteration: fix their velocities in @p constraints, by the local numbers of @p partition.
+     * Hold vertices after an iteration: fix their velocities in @p constraints, by the numbers of @p partition.
      * @return whether there are new ones on any rank. Collective.
      * @throws RunError if more than one in a hundred are held.
      */
-    bool update(const NodePartition &partition, std::vector<NodeConstraint<dim>> &constraints);
+    bool update(const NodePartition &partition, IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 
     /// On all ranks together.
     unsigned int number() const
@@ -40,10 +41,10 @@ namespace Lahar
     }
 
   private:
-    std::vector<bool> can_be_held;
-    std::vector<double> followed;      ///< part of the last increment
-    std::vector<unsigned int> n_short; ///< iterations in a row with less than the whole increment
-    std::vector<double> product;       ///< of these iterations' parts
+    IndexVector<LocalNode, bool> can_be_held;
+    IndexVector<LocalNode, double> followed;      ///< part of the last increment
+    IndexVector<LocalNode, unsigned int> n_short; ///< iterations in a row with less than the whole increment
+    IndexVector<LocalNode, double> product;       ///< of these iterations' parts
     unsigned int n_held = 0;
   };
 } // namespace Lahar

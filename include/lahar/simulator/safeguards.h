@@ -27,36 +27,37 @@ namespace Lahar
    *   (HeldVertices);
    * - check_closed_parts() at the end.
    *
-   * Values of nodes are by local number, see NodePartition; constraints are those of the step. Ranks that know a cell or a
+   * Ranks that know a cell or a
    * node decide alike on it. All functions are collective but those that tell what the last ones found.
    */
   template <int dim>
   class Safeguards
   {
   public:
-    /// What a step has; mesh and system must live until it ends.
+    /// What a step has; mesh, system and numbering must live until it ends.
     struct Start
     {
       const FluidMesh<dim> &mesh; ///< what this rank works on
       const BlockSystem<dim> &system;
+      const Numbering &numbering;
       const Materials &materials;
-      std::vector<bool> is_solid;        ///< by node: whether it is a solid's
-      std::vector<bool> can_be_held;     ///< by node: whether it is a particle of the fluid
-      std::vector<Point<dim>> positions; ///< of the nodes at the start of the step, m
+      IndexVector<LocalNode, bool> is_solid;        ///< by node: whether it is a solid's
+      IndexVector<LocalNode, bool> can_be_held;     ///< by node: whether it is a particle of the fluid
+      IndexVector<LocalNode, Point<dim>> positions; ///< at the start of the step, m
     };
 
     void start_step(Start start);
 
     /// Fix in @p constraints the pressures that nothing determines.
-    void fix_pressures(std::vector<NodeConstraint<dim>> &constraints);
+    void fix_pressures(IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 
     /**
      * Move the fluid by mean @p velocities that no simplex is flattened by: the vertices of such ones move less, down to
      * not at all, or, where nodes push them that move whatever the fluid does, down to the velocity of these. Walls and
      * driven solids keep theirs, and may leave no room.
      */
-    void slow_down(const std::vector<NodeConstraint<dim>> &constraints, FluidStep<dim> &fluid,
-                   std::vector<Tensor<1, dim>> &velocities) const;
+    void slow_down(const IndexVector<LocalNode, NodeConstraint<dim>> &constraints, FluidStep<dim> &fluid,
+                   IndexVector<LocalNode, Tensor<1, dim>> &velocities) const;
 
     /**
      * Move the fluid by @p length times the increments of @p state. Where simplices would invert or lose most of their
@@ -64,13 +65,13 @@ namespace Lahar
      * the rest of the fluid.
      * @return mean velocities of the nodes.
      */
-    std::vector<Tensor<1, dim>> advance(const StepState<dim> &state, const double length,
-                                        const std::vector<NodeConstraint<dim>> &constraints,
-                                        FluidStep<dim> &fluid);
+    IndexVector<LocalNode, Tensor<1, dim>>
+    advance(const StepState<dim> &state, const double length,
+            const IndexVector<LocalNode, NodeConstraint<dim>> &constraints, FluidStep<dim> &fluid);
 
     /// End an iteration: leave cells of @p fluid out, and hold vertices in @p constraints. @return whether these are others
     /// now; pressures are fixed then. @throws RunError if too many are held.
-    bool end_iteration(FluidStep<dim> &fluid, std::vector<NodeConstraint<dim>> &constraints);
+    bool end_iteration(FluidStep<dim> &fluid, IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 
     /// @throws RunError if fluid without a free surface could not keep its volume, see ClosedParts.
     void check_closed_parts(const FluidStep<dim> &fluid) const;
@@ -89,18 +90,17 @@ namespace Lahar
 
   private:
     /// The cells that cannot keep themselves from being crushed, of those that the present state would flatten.
-    std::vector<unsigned int> crushable_cells(const FluidStep<dim> &fluid, const std::vector<double> &volumes,
-                                              const std::vector<NodeConstraint<dim>> &constraints) const;
+    std::vector<unsigned int>
+    crushable_cells(const FluidStep<dim> &fluid, const std::vector<double> &volumes,
+                    const IndexVector<LocalNode, NodeConstraint<dim>> &constraints) const;
     void find_compressible_nodes(const Materials &materials);
-    /// Values of the fluid's vertices from those of the nodes.
-    std::vector<Tensor<1, dim>> by_vertex(const std::vector<Tensor<1, dim>> &by_node) const;
-
     const FluidMesh<dim> *mesh     = nullptr;
     const BlockSystem<dim> *system = nullptr;
-    std::vector<bool> is_solid;
-    std::vector<Point<dim>> start_positions;
+    const Numbering *numbering     = nullptr;
+    IndexVector<LocalNode, bool> is_solid;
+    IndexVector<LocalNode, Point<dim>> start_positions;
     bool any_incompressible = false;
-    std::vector<bool> is_compressible; ///< by node: whether it has a cell of a compressible fluid
+    IndexVector<LocalNode, bool> is_compressible; ///< whether it has a cell of a compressible fluid
     HeldVertices<dim> held_vertices;
     CrushedCells crushed_cells;
     ClosedParts<dim> closed_parts;

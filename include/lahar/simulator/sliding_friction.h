@@ -5,6 +5,7 @@
 
 #include <lahar/boundary/sliding_contact.h>
 #include <lahar/linear/block_system.h>
+#include <lahar/linear/numbering.h>
 #include <lahar/material/materials.h>
 
 #include <vector>
@@ -22,30 +23,31 @@ namespace Lahar
   {
   public:
     /**
-     * Begin a step of length @p time_step (s) with the @p contacts of the region's mesh, whose vertices are the first
-     * nodes. Multipliers and reactions are those of the particles; each contact's stiffness becomes 20 ρ h/Δt + 5 μ/h, h the
+     * Begin a step of length @p time_step (s) with the @p contacts of the region's mesh. Multipliers and reactions are those of the particles; each contact's stiffness becomes 20 ρ h/Δt + 5 μ/h, h the
      * particle's spacing and μ the viscous part at the strain rate 1/Δt: sliding that must stop then does so within few
      * steps, whatever moves behind the vertex. Collective.
      */
     void start_step(const std::vector<SlidingContact<dim>> &contacts, const FluidMesh<dim> &mesh,
                     const ParticleCloud<dim> &cloud, const Materials &materials, const double time_step,
-                    const NodePartition &partition);
+                    const Numbering &numbering, const MPI_Comm &communicator);
 
-    /// Add forces and tangents to @p system at the mean @p velocities (m/s) and the @p pressures (Pa) by local number.
-    void assemble(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
-                  BlockSystem<dim> &system) const;
+    /// Add forces and tangents to @p system at the mean @p velocities (m/s) and the @p pressures (Pa) of the nodes.
+    void assemble(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                  const IndexVector<LocalNode, double> &pressures, BlockSystem<dim> &system) const;
 
     /// End an iteration, see SlidingContact. @param reactions of the boundaries on the nodes, as the last assembly has
     /// them.
-    void iterate(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
-                 const std::vector<Tensor<1, dim>> &reactions);
+    void iterate(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                 const IndexVector<LocalNode, double> &pressures,
+                 const IndexVector<LocalNode, Tensor<1, dim>> &reactions);
 
     /// Whether no vertex of this rank is held for an iteration.
     bool is_settled() const;
 
     /// End the step: λ = P, which the particles of the region's mesh keep; what does not slide has none.
-    void accept(const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures,
-                const FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud) const;
+    void accept(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                const IndexVector<LocalNode, double> &pressures, const FluidMesh<dim> &mesh,
+                ParticleCloud<dim> &cloud) const;
 
     /// Whether anything slides with friction on any rank.
     bool any() const
@@ -57,7 +59,7 @@ namespace Lahar
     struct Contact
     {
       SlidingContact<dim> at; ///< with the vertex of the region's mesh
-      unsigned int node;      ///< local number
+      LocalNode node;
       SlidingState<dim> state;
       bool is_main; ///< whether the particle keeps its multiplier
     };

@@ -4,6 +4,7 @@
 #define lahar_simulator_solid_step_h
 
 #include <lahar/assembly/solid_assembler.h>
+#include <lahar/linear/numbering.h>
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/simulator/time_integration.h>
 
@@ -31,51 +32,48 @@ namespace Lahar
       return own_nodes.size();
     }
 
-    /// The system's number of each node.
-    const std::vector<unsigned int> &nodes() const
+    /// The region's node of each node.
+    const IndexVector<SolidNode, RegionNode> &nodes() const
     {
-      return system_nodes;
+      return region_nodes;
     }
 
-    /// The cells by the system's numbers, as BlockSystem wants them.
+    /// The cells by the region's nodes, as BlockSystem wants them.
     std::vector<unsigned int> cells() const;
 
     unsigned int nodes_per_cell() const
     {
-      return system_nodes.empty() ? 0 : solids->mesh().nodes_per_cell();
+      return region_nodes.empty() ? 0 : solids->mesh().nodes_per_cell();
     }
 
-    /// The solids' nodes that @p partition knows: their local numbers there and their own.
-    std::vector<std::pair<unsigned int, unsigned int>> known_nodes(const NodePartition &partition) const;
-
     /// What is prescribed at a node.
-    NodeConstraint<dim> constraint(const unsigned int node) const;
+    NodeConstraint<dim> constraint(const SolidNode node) const;
 
-    /// Collect on all ranks the values of the solids' nodes, which the owners have in @p values by local number.
-    std::vector<Tensor<1, dim>> gather(const NodePartition &partition,
-                                       const std::vector<Tensor<1, dim>> &values) const;
+    /// Collect on all ranks the values of the solids' nodes, which the owners have in @p values.
+    IndexVector<SolidNode, Tensor<1, dim>> gather(const Numbering &numbering, const MPI_Comm &communicator,
+                                                  const IndexVector<LocalNode, Tensor<1, dim>> &values) const;
 
     /// Set the mean velocities of all nodes in the step, and what follows from them.
-    void move(const std::vector<Tensor<1, dim>> &mean_velocities);
+    void move(const IndexVector<SolidNode, Tensor<1, dim>> &mean_velocities);
 
-    const Tensor<1, dim> &mean_velocity(const unsigned int node) const
+    const Tensor<1, dim> &mean_velocity(const SolidNode node) const
     {
       return mean_velocities[node];
     }
 
-    const Point<dim> &position(const unsigned int node) const
+    const Point<dim> &position(const SolidNode node) const
     {
-      return state.position[node];
+      return state.position[node.value()];
     }
 
-    /// Node of the solids, by the system's number of one that is no vertex.
-    unsigned int solid_node(const unsigned int system_node) const
+    /// Node of the solids, by the region's of one that is no vertex.
+    SolidNode solid_node(const RegionNode node) const
     {
-      return own_nodes[system_node - n_vertices];
+      return own_nodes[node.value() - n_vertices];
     }
 
-    /// Write the positions into those of all the system's nodes.
-    void get_positions(std::vector<Point<dim>> &positions) const;
+    /// Write the positions into those of all the region's nodes.
+    void get_positions(IndexVector<RegionNode, Point<dim>> &positions) const;
 
     /// Add to the system. @return whether all cells have positive volume.
     bool assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const;
@@ -83,18 +81,19 @@ namespace Lahar
     /// The largest speed of sound, m/s; zero without solids.
     double speed_of_sound() const;
 
-    /// Make the state the solids' own. @param forces by node, of fluid and supports at the end of the step, N.
-    void accept(const std::vector<Tensor<1, dim>> &forces, Solids<dim> &target);
+    /// Make the state the solids' own. @param forces of fluid and supports at the end of the step, N.
+    void accept(const IndexVector<SolidNode, Tensor<1, dim>> &forces, Solids<dim> &target);
 
   private:
     const Solids<dim> *solids = nullptr;
     SolidAssembler<dim> assembler;
     TimeIntegration integration;
-    std::vector<unsigned int> system_nodes, own_nodes; ///< the latter: that are no vertices
+    IndexVector<SolidNode, RegionNode> region_nodes;
+    std::vector<SolidNode> own_nodes; ///< that are no vertices
     unsigned int n_vertices = 0;
     std::vector<Tensor<1, dim>> external_forces;
     SolidState<dim> state;
-    std::vector<Tensor<1, dim>> mean_velocities;
+    IndexVector<SolidNode, Tensor<1, dim>> mean_velocities;
   };
 } // namespace Lahar
 

@@ -9,6 +9,7 @@
 
 #include <lahar/assembly/fluid_assembler.h>
 #include <lahar/linear/linear_solver.h>
+#include <lahar/linear/numbering.h>
 #include <lahar/remeshing/migration.h>
 #include <lahar/simulator/safeguards.h>
 #include <lahar/simulator/sliding_friction.h>
@@ -16,6 +17,7 @@
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
+#include <utility>
 
 namespace Lahar
 {
@@ -36,9 +38,9 @@ namespace Lahar
    * iteration going where the mesh would stop it is apart from this, in Safeguards.
    *
    * The system's nodes are the vertices of the fluid's mesh and then the solids' nodes that are none of these
-   * (SolidStep). They are shared out among the ranks (NodePartition). A rank has the state of the nodes that it knows, by
-   * their local numbers, and of all nodes of the solids, whose meshes are small. All functions are collective but those
-   * that tell what the last one found.
+   * (SolidStep). They are shared out among the ranks (NodePartition); who is who says Numbering. A rank has the state of
+   * the nodes that it knows, and of all nodes of the solids, whose meshes are small. All functions are collective but
+   * those that tell what the last one found.
    */
   template <int dim>
   class StepProblem
@@ -193,30 +195,28 @@ namespace Lahar
 
   private:
     /// Number the nodes. @return where those are that this rank knows.
-    std::vector<Point<dim>> reinit_system(const ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+    IndexVector<LocalNode, Point<dim>> reinit_system(const ParticleCloud<dim> &cloud,
+                                                     const Migration<dim> &migration);
     NodeIdentities identify_nodes(const ParticleCloud<dim> &cloud, const Migration<dim> &migration,
-                                  const std::vector<Point<dim>> &positions) const;
+                                  const IndexVector<RegionNode, Point<dim>> &positions) const;
     /// Prescribe what is told by vertex of the region's mesh, and what the solids prescribe.
-    void set_constraints(const Start &start, const std::vector<Point<dim>> &positions);
+    void set_constraints(const Start &start, const IndexVector<LocalNode, Point<dim>> &positions);
     /// Multipliers of the cells, and which cells belong to parts of the fluid that stand.
     void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
     void start_iteration();
     /// Friction follows velocities, pressures and reactions.
     void iterate_friction();
-    /// Velocities of the known nodes.
-    std::vector<Tensor<1, dim>> node_velocities() const;
-    /// Values of the fluid's vertices from those of the known nodes, and the other way round, zero at other nodes.
-    template <typename T>
-    std::vector<T> by_vertex(const std::vector<T> &by_node) const;
-    template <typename T>
-    std::vector<T> by_node(const std::vector<T> &by_vertex) const;
+    /// Velocities and pressures of the known nodes; velocities of the solids' own nodes are zero in those of the fluid.
+    IndexVector<LocalNode, Tensor<1, dim>> node_velocities() const;
+    IndexVector<LocalNode, Tensor<1, dim>> fluid_velocities() const;
+    IndexVector<LocalNode, double> fluid_pressures() const;
+    /// Those of all solids' nodes from those of the known nodes.
+    IndexVector<SolidNode, Tensor<1, dim>>
+    of_solids(const IndexVector<LocalNode, Tensor<1, dim>> &values) const;
     /// Bring the values of other ranks' vertices, for one fluid after the other, up to date.
     void update_by_fluid(std::vector<Tensor<1, dim>> &values) const;
-    /// Bring the values of other ranks' vertices up to date.
-    template <typename T>
-    void update_vertices(std::vector<T> &by_vertex) const;
     /// Impose the velocities that are prescribed on those of the nodes.
-    void impose(std::vector<Tensor<1, dim>> &velocities) const;
+    void impose(IndexVector<LocalNode, Tensor<1, dim>> &velocities) const;
     /// What counts as nothing in this step, see StepState.
     typename StepState<dim>::Floors floors(const ParticleCloud<dim> &cloud) const;
     void set_norms();
@@ -234,51 +234,17 @@ namespace Lahar
     TimeIntegration time_integration;
     FluidStep<dim> fluid;
     SolidStep<dim> solid;
-
-    unsigned int connectivity_number =
-      numbers::invalid_unsigned_int; ///< of the mesh that the system was made for
-    std::vector<unsigned int> numbered_solid_nodes;
+    Numbering numbering;
+    /// The mesh and the solids that the system was made for.
+    std::pair<unsigned int, IndexVector<SolidNode, RegionNode>> numbered = {numbers::invalid_unsigned_int,
+                                                                            {}};
     StepState<dim> step_state;
-    std::vector<NodeConstraint<dim>> constraints; ///< by local number
+    IndexVector<LocalNode, NodeConstraint<dim>> constraints;
     Safeguards<dim> safeguards;
     SlidingFriction<dim> friction;
     double standing_velocity = 1e-7; ///< m/s
   };
 
-
-
-  template <int dim>
-  template <typename T>
-  std::vector<T> StepProblem<dim>::by_vertex(const std::vector<T> &of_nodes) const
-  {
-    std::vector<T> result(mesh->n_vertices());
-    for (unsigned int v = 0; v < result.size(); ++v)
-      result[v] = of_nodes[system.local_number(v)];
-    return result;
-  }
-
-
-
-  template <int dim>
-  template <typename T>
-  std::vector<T> StepProblem<dim>::by_node(const std::vector<T> &of_vertices) const
-  {
-    std::vector<T> result(system.partition().nodes().size());
-    for (unsigned int v = 0; v < of_vertices.size(); ++v)
-      result[system.local_number(v)] = of_vertices[v];
-    return result;
-  }
-
-
-
-  template <int dim>
-  template <typename T>
-  void StepProblem<dim>::update_vertices(std::vector<T> &of_vertices) const
-  {
-    std::vector<T> of_nodes = by_node(of_vertices);
-    system.partition().update(of_nodes);
-    of_vertices = by_vertex(of_nodes);
-  }
 } // namespace Lahar
 
 #endif

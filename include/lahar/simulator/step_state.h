@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <lahar/assembly/fluid_state.h>
+#include <lahar/linear/numbering.h>
 
 #include <vector>
 
@@ -41,9 +42,9 @@ namespace Lahar
 
     /// Begin an iteration from @p velocities of the nodes, the pressures of @p fluid and its cells' volumes, and with
     /// increments of velocities and pressures.
-    void start_iteration(std::vector<Tensor<1, dim>> velocities, const FluidState<dim> &fluid,
-                         std::vector<double> volumes, std::vector<Tensor<1, dim>> velocity_change,
-                         std::vector<double> pressure_change);
+    void start_iteration(IndexVector<LocalNode, Tensor<1, dim>> velocities, const FluidState<dim> &fluid,
+                         std::vector<double> volumes, IndexVector<LocalNode, Tensor<1, dim>> velocity_change,
+                         IndexVector<Vertex, double> pressure_change);
 
     /// The same of the dual variable Λ, where fluid yields.
     void start_dual(std::vector<SymmetricTensor<2, dim>> base, std::vector<SymmetricTensor<2, dim>> change);
@@ -52,7 +53,7 @@ namespace Lahar
     void drop_dual();
 
     /// δw, by node, m/s.
-    const std::vector<Tensor<1, dim>> &velocity_change() const
+    const IndexVector<LocalNode, Tensor<1, dim>> &velocity_change() const
     {
       return delta_w;
     }
@@ -64,16 +65,14 @@ namespace Lahar
     }
 
     /// w at @p lengths λ_I, by node.
-    std::vector<Tensor<1, dim>> velocities(const std::vector<double> &lengths) const;
+    IndexVector<LocalNode, Tensor<1, dim>> velocities(const IndexVector<LocalNode, double> &lengths) const;
 
     /// Set pressures and Λ at the length λ; the velocities follow velocities().
     void advance(const double length, FluidState<dim> &fluid) const;
 
-    /// Compute the norms of the present state. The first @p n_own_nodes and @p n_own_vertices are those of this rank.
-    /// Collective.
-    void set_norms(const std::vector<Tensor<1, dim>> &velocities, const FluidState<dim> &fluid,
-                   const unsigned int n_own_nodes, const unsigned int n_own_vertices,
-                   const MPI_Comm &communicator);
+    /// Compute the norms of the present state. Collective.
+    void set_norms(const IndexVector<LocalNode, Tensor<1, dim>> &velocities, const FluidState<dim> &fluid,
+                   const Numbering &numbering, const MPI_Comm &communicator);
 
     /// ‖w‖ and ‖p‖ or the floor, m/s and Pa.
     double velocity_norm() const
@@ -98,10 +97,10 @@ namespace Lahar
     }
 
     /// |δw|/‖w‖ + |δp|/‖p‖ of a node, whose increment of pressure is @p pressure_change.
-    double increment_at(const unsigned int node, const double pressure_change) const;
+    double increment_at(const LocalNode node, const double pressure_change) const;
 
     /// δp, by vertex, Pa.
-    const std::vector<double> &pressure_change() const
+    const IndexVector<Vertex, double> &pressure_change() const
     {
       return delta_p;
     }
@@ -114,8 +113,9 @@ namespace Lahar
 
   private:
     Floors floors = {0., 0.};
-    std::vector<Tensor<1, dim>> base_w, delta_w;
-    std::vector<double> base_p, delta_p, volumes;
+    IndexVector<LocalNode, Tensor<1, dim>> base_w, delta_w;
+    IndexVector<Vertex, double> base_p, delta_p;
+    std::vector<double> volumes;
     std::vector<SymmetricTensor<2, dim>> base_dual, delta_dual;
     double norm_of_w = 0., norm_of_p = 0., relative_w = 0., relative_p = 0., speed = 0.;
   };
