@@ -82,13 +82,11 @@ namespace Lahar
   {
     using Edge = std::pair<unsigned int, unsigned int>;
 
-    /// The fluids of the cells around each edge; nothing where the whole mesh is of one fluid.
+    /// The fluids of the cells around each edge.
     template <int dim>
     std::map<Edge, FluidSet> fluids_around(const std::vector<Edge> &edges, const FluidMesh<dim> &mesh)
     {
       std::map<Edge, FluidSet> result;
-      if (mesh.cell_fluids().empty())
-        return result;
       for (const Edge &edge : edges)
         result[edge] = 0U;
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -126,7 +124,8 @@ namespace Lahar
       std::sort(keys.begin(), keys.end());
     }
     const std::uint64_t first             = cloud.next_number;
-    const std::map<Edge, FluidSet> around = fluids_around(edges, mesh);
+    const std::map<Edge, FluidSet> around = several_fluids ? fluids_around(edges, mesh)
+                                                           : std::map<Edge, FluidSet>();
     for (const Edge &edge : edges)
     {
       const unsigned int i = cloud.append_midpoint(edge.first, edge.second);

@@ -5,6 +5,7 @@
 
 #include <lahar/particles/fluid_set.h>
 #include <lahar/remeshing/interface_faces.h>
+#include <lahar/remeshing/merged_place.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -84,6 +85,9 @@ namespace Lahar
     template <int dim>
     constexpr unsigned int interface_rank = 2 * (dim + 1);
 
+    /// Two merged particles lie no farther than this times h from the middle between them.
+    constexpr double farthest_merged = 0.5;
+
     /// A particle nearer than this times h to a wall that carries particles gives way.
     constexpr double smallest_gap = 0.1;
 
@@ -133,27 +137,6 @@ namespace Lahar
                     (2. * normal.norm_square());
       }
       return (point - cloud.position[face[0]] - to_centre).norm_square() < to_centre.norm_square();
-    }
-
-    /**
-     * The place near the middle between a and b where one particle encloses the same area with previous and next as the
-     * two do: true if there is one not too far away.
-     */
-    bool find_merged_place(const std::vector<unsigned int> &chain, const ParticleCloud<2> &cloud,
-                           Point<2> &place)
-    {
-      const Point<2> &previous = cloud.position[chain[0]], &a = cloud.position[chain[1]],
-                     &b = cloud.position[chain[2]], &next = cloud.position[chain[3]];
-      const Tensor<1, 2> chord = next - previous, normal = cross_product_2d(chord);
-      const double h = cloud.spacing[chain[1]];
-      if (chord.norm() < 0.5 * h)
-        return false;
-      // Twice the area of previous, a, b, next, and of previous, merged, next.
-      const double area        = normal * (a - previous) - cross_product_2d(b - a) * (next - a);
-      const Point<2> middle    = a + 0.5 * (b - a);
-      const Tensor<1, 2> shift = (area - normal * (middle - previous)) / normal.norm_square() * normal;
-      place                    = middle + shift;
-      return shift.norm() <= 0.5 * h;
     }
   } // namespace
 
@@ -221,8 +204,11 @@ namespace Lahar
         {
           const std::vector<unsigned int> chain = chains[rank[b] == first ? 1 : 0].around(edge,
                                                                                           changes.removed);
+          std::array<Point<2>, 4> places;
+          for (unsigned int k = 0; k < chain.size(); ++k)
+            places[k] = cloud.position[chain[k]];
           Point<2> place;
-          if (!chain.empty() && find_merged_place(chain, cloud, place))
+          if (!chain.empty() && find_merged_place(places, farthest_merged * cloud.spacing[chain[1]], place))
             result.push_back({b, {a}, {chain[0], chain[3]}, place});
           else if (rank[b] >= first && length < surface_to_wall * shortest)
             result.push_back({b, {}, {a}, {}});

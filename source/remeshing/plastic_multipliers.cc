@@ -22,15 +22,27 @@ namespace Lahar
 
 
   template <int dim>
-  void PlasticMultipliers<dim>::spread(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                       const Migration<dim> &migration)
+  void PlasticMultipliers<dim>::spread(const FluidMesh<dim> &mesh, const unsigned int n_fluids,
+                                       const ParticleCloud<dim> &cloud, const Migration<dim> &migration)
   {
-    // Sums of V Λ and V; doubles side by side, as they are sent.
-    constexpr unsigned int n = Value::n_independent_components;
-    std::vector<std::array<double, n + 1>> sums(cloud.size(), std::array<double, n + 1>{});
-    for (const Simplex<dim> &cell : mesh.particle_cells())
-      if (const Value *value = by_particles.find(CellTable<dim>::key(cell, cloud)))
+    means.assign(n_fluids, {});
+    old_fluids.clear();
+    if (n_fluids > 1)
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        old_fluids.emplace_back(CellTable<dim>::key(mesh.particle_cells()[c], cloud), mesh.fluid(c));
+    std::sort(old_fluids.begin(), old_fluids.end());
+    for (unsigned int fluid = 0; fluid < n_fluids; ++fluid)
+    {
+      // Sums of V Λ and V; doubles side by side, as they are sent.
+      constexpr unsigned int n = Value::n_independent_components;
+      std::vector<std::array<double, n + 1>> sums(cloud.size(), std::array<double, n + 1>{});
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
+        const Simplex<dim> &cell = mesh.particle_cells()[c];
+        const Value *value = mesh.fluid(c) == fluid ? by_particles.find(CellTable<dim>::key(cell, cloud))
+                                                    : nullptr;
+        if (value == nullptr)
+          continue;
         const double volume = std::abs(body_volume<dim>(corners_of<dim>(cell, cloud.position)));
         for (const unsigned int particle : cell)
         {
@@ -39,16 +51,26 @@ namespace Lahar
           sums[particle][n] += volume;
         }
       }
-    migration.update(sums);
-    means.clear();
-    for (unsigned int particle = 0; particle < cloud.size(); ++particle)
-      if (sums[particle][n] > 0.)
-      {
-        Value mean;
-        for (unsigned int i = 0; i < n; ++i)
-          mean.access_raw_entry(i) = sums[particle][i] / sums[particle][n];
-        means.emplace_back(cloud.number[particle], mean);
-      }
+      migration.update(sums);
+      for (unsigned int particle = 0; particle < cloud.size(); ++particle)
+        if (sums[particle][n] > 0.)
+        {
+          Value mean;
+          for (unsigned int i = 0; i < n; ++i)
+            mean.access_raw_entry(i) = sums[particle][i] / sums[particle][n];
+          means[fluid].emplace_back(cloud.number[particle], mean);
+        }
+    }
+  }
+
+
+
+  template <int dim>
+  bool PlasticMultipliers<dim>::is_of_other(const typename CellTable<dim>::Key &key,
+                                            const unsigned int fluid) const
+  {
+    const auto place = std::lower_bound(old_fluids.begin(), old_fluids.end(), std::make_pair(key, 0U));
+    return place != old_fluids.end() && place->first == key && place->second != fluid;
   }
 
 
@@ -59,20 +81,24 @@ namespace Lahar
     of_cells.assign(mesh.n_cells(), Value());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
-      const auto key = CellTable<dim>::key(mesh.particle_cells()[c], cloud);
-      if (const Value *value = by_particles.find(key))
+      const Simplex<dim> &cell = mesh.particle_cells()[c];
+      const auto key           = CellTable<dim>::key(cell, cloud);
+      if (const Value *value = by_particles.find(key); value != nullptr && !is_of_other(key, mesh.fluid(c)))
       {
         of_cells[c] = *value;
         continue;
       }
+      if (mesh.fluid(c) >= means.size())
+        continue;
+      const auto &of_fluid = means[mesh.fluid(c)];
       unsigned int n_known = 0;
       for (const std::uint64_t number : key)
       {
-        const auto place = std::lower_bound(means.begin(), means.end(), number,
+        const auto place = std::lower_bound(of_fluid.begin(), of_fluid.end(), number,
                                             [](const auto &mean, const std::uint64_t wanted) {
                                               return mean.first < wanted;
                                             });
-        if (place != means.end() && place->first == number)
+        if (place != of_fluid.end() && place->first == number)
         {
           of_cells[c] += place->second;
           ++n_known;

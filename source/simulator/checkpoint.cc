@@ -75,7 +75,7 @@ namespace Lahar
       }
     std::ostringstream data;
     boost::archive::binary_oarchive archive(data, boost::archive::no_header);
-    archive << records << cells << keys << values << migration;
+    archive << records << cells << keys << values << ill_posed_cells << migration;
     return data.str();
   }
 
@@ -94,7 +94,7 @@ namespace Lahar
       boost::archive::binary_iarchive archive(data, boost::archive::no_header);
       std::vector<double> values, cell_values;
       std::vector<std::uint64_t> piece_numbers, cell_keys;
-      archive >> values >> piece_numbers >> cell_keys >> cell_values;
+      archive >> values >> piece_numbers >> cell_keys >> cell_values >> ill_posed_cells;
       multipliers.table().add_all(cell_keys, cell_values);
       if (content.same_ranks)
         archive >> migration;

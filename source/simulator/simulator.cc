@@ -190,7 +190,7 @@ namespace Lahar
     input.mesh_size.update(particles);
     const std::map<std::uint64_t, double> layers = inlets.layers(particles, fluid_mesh);
     if (has_multipliers())
-      multipliers.spread(fluid_mesh, particles, migration);
+      multipliers.spread(fluid_mesh, materials.n_fluids(), particles, migration);
     try
     {
       remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,

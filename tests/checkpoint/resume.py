@@ -8,6 +8,7 @@ column, barrier, refined, rotational, space: a run that is stopped by signals an
 exact:    the same of a fluid whose yield stress is exact, which begins to flow and stops.
 rejected, rejected_space: a step that is given up and repeated with half its length leaves, bit for bit, the files of a
           run that begins with the length that succeeds.
+counts:   what a run says of the cells in which the equations of grains are ill-posed holds for all of its parts together.
 changed:  harmless parameters may change between the two, others are refused by name; numbers may be written otherwise.
 damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
           Statistics that are shorter than they were: status 2; none: a warning, and they begin anew.
@@ -63,6 +64,9 @@ EXACT = COLUMN.replace("set Yield stress = 20", "set Yield stress = 500\nset Pla
     "0, 0 : 0.146, 0.292", "0, 0 : 0.1, 0.15") + """
 set Time integration = backward Euler
 """
+
+GRAINS = COLLAPSE.replace("subsection Bingham", "set Law = mu(I)\nsubsection Bingham").replace(
+    "set End time         = 0.12", "set End time         = 0.06") + walls("0, 0.4 : 0, 0 : 0.5, 0")
 
 PLAIN = """
 subsection Remeshing
@@ -176,6 +180,22 @@ def test_rejected(parent, text):
     check("no other one more often than in the run with shorter steps",
           n_rejected["rejected"] == [n + halvings for n in n_rejected["shorter"]], n_rejected)
     compare("given up", files["shorter"], files["rejected"])
+
+
+def test_counts(parent):
+    def warning(process):
+        found = re.findall(r"Warning: in ([0-9.e-]+) % of the cells that flowed", process.out)
+        return found[-1] if found else None
+
+    whole = new_case(parent, "whole", GRAINS)
+    expected = warning(run(whole))
+    check("the run tells of ill-posed cells", expected is not None)
+    parts = new_case(parent, "parts", GRAINS)
+    first = run(parts, "--set", "End time=0.03")
+    check("the first part succeeds", first.returncode == 0, first.out, first.err)
+    found = warning(run(parts, "--resume"))
+    check("the resumed run counts those of both parts", found == expected, expected, found)
+    check("which is not what the first one has", warning(first) != expected, expected, warning(first))
 
 
 def test_changed(parent):
@@ -354,7 +374,7 @@ def main():
         elif group in ("rejected", "rejected_space"):
             test_rejected(parent, {"rejected": BARRIER, "rejected_space": SPACE}[group])
         else:
-            {"changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
+            {"counts": test_counts, "changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
     finally:
         shutil.rmtree(parent)
     sys.exit(1 if failed else 0)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test which fluid a cell belongs to, what becomes of an interface in the plane when particles come and go, and that a
-// layered block that is sheared and mixed up keeps the area of each fluid and an interface of particles of both.
+// Test which fluid a cell belongs to, what becomes of an interface in the plane when particles come and go, that a layered
+// block that is sheared and mixed up keeps the area of each fluid and an interface of particles of both, and that ranks that
+// see one fluid only give new particles the fluids that one rank gives them.
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/simplex_geometry.h>
@@ -9,6 +13,8 @@
 #include <lahar/remeshing/cell_fluid.h>
 #include <lahar/remeshing/interface_segments.h>
 #include <lahar/remeshing/remesher.h>
+
+#include <algorithm>
 
 #include "tests.h"
 
@@ -140,11 +146,81 @@ void test_remeshing()
   check("hardly any cell has a corner of other fluids only", overlap / n_corners, 1e-3);
 }
 
+/// A long strip of the first fluid with the second one at its end, and particles of both within the first one, as a film of
+/// the second one that has torn leaves them; it is stretched until edges are divided.
+struct Strip
+{
+  ParticleCloud<2> cloud;
+  FluidMesh<2> mesh;
+  Migration<2> migration;
+
+  Strip(const MPI_Comm &communicator)
+    : migration(communicator)
+  {
+    constexpr unsigned int n = 60, n_first = 50;
+    constexpr double h = 0.1;
+    Remesher<2> remesher;
+    parse(remesher, "");
+    remesher.set_number_of_fluids(2);
+    for (unsigned int j = 0; j < 5; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        cloud.append(Point<2>(h * i, h * j), ParticleKind::fluid, h,
+                     i > n_first                         ? 2U
+                     : i == n_first || (j == 2 && i < 9) ? 3U
+                                                         : 1U);
+    const auto distance = [&] { return remesher.region_distance(cloud, mesh, 0., communicator); };
+    migration.distribute(cloud, distance(), 0);
+    remesher.create_mesh(
+      cloud, Walls<2>(), {}, [](const Simplex<2> &, const ParticleCloud<2> &) { return true; }, migration,
+      mesh);
+    std::vector<unsigned int> fluids;
+    for (const Simplex<2> &cell : mesh.particle_cells())
+      fluids.push_back(centroid<2>(corners_of<2>(cell, cloud.position))[0] > h * n_first);
+    mesh.set_cell_fluids(fluids);
+    migration.migrate(cloud, mesh, distance(), 0);
+    for (Point<2> &x : cloud.position)
+      x[0] *= 1.6;
+    mesh.move(cloud);
+    migration.migrate(cloud, mesh, distance(), 0);
+    sees_one_fluid = mesh.cell_fluids().empty();
+    remesher.remesh(cloud, Walls<2>(), {}, 1e-3, mesh, migration);
+  }
+
+  bool sees_one_fluid;
+
+  /// Number and fluids of this rank's particles.
+  std::vector<std::pair<std::uint64_t, FluidSet>> own_particles() const
+  {
+    std::vector<std::pair<std::uint64_t, FluidSet>> result;
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.is_own(i))
+        result.emplace_back(cloud.number[i], cloud.part[i]);
+    return result;
+  }
+};
+
+void test_ranks()
+{
+  const Strip whole(MPI_COMM_SELF), parts(MPI_COMM_WORLD);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const unsigned int n_blind = Utilities::MPI::sum(parts.sees_one_fluid ? 1U : 0U, MPI_COMM_WORLD);
+  check("of several ranks one sees one fluid", n_blind == (n_ranks > 1 ? 1U : 0U));
+  const auto expected = whole.own_particles();
+  std::vector<std::pair<std::uint64_t, FluidSet>> found;
+  for (const auto &of_rank : Utilities::MPI::all_gather(MPI_COMM_WORLD, parts.own_particles()))
+    found.insert(found.end(), of_rank.begin(), of_rank.end());
+  std::sort(found.begin(), found.end());
+  const unsigned int n_new = whole.cloud.size() - 5 * 60;
+  check("particles are new", n_new > 20 && n_new < 1000);
+  check("they are of the same fluids on ranks", found == expected);
+}
+
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_rule();
   test_segments();
   test_remeshing();
+  test_ranks();
   return n_failed > 0;
 }

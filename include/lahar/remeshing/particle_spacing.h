@@ -21,7 +21,7 @@ namespace Lahar
    *
    * Edges of the mesh shorter than c_min h lose a fluid particle: the inner one of the two, so that the domain keeps
    * its shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so
-   * that the area under the surface stays. Particles nearer than h/10 to a wall that carries particles go: Delaunay
+   * that the area under the surface stays, with rotational symmetry the volume. Particles nearer than h/10 to a wall that carries particles go: Delaunay
    * simplices between them and the wall would be flat, and those through a thin wall would take their place. Edges
    * longer than c_max h get a particle in their middle.
    *
@@ -29,7 +29,7 @@ namespace Lahar
    *
    * Particles on an interface between fluids give way to others on one only: of a short edge the other particle goes, but
    * one that holds the shape of the domain only where the two are very near. In the plane two neighbours along an
-   * interface are merged so that the areas of both fluids stay. Inner particles that an interface face sees in its
+   * interface are merged so that the areas, or volumes, of both fluids stay. Inner particles that an interface face sees in its
    * smallest ball go, too; so such faces are Delaunay. Where fluids have met, the edges between particles of the one and
    * of the other get a particle in their middle, or lose one end if they are short; the new particle, or the other end,
    * belongs to both. A new particle belongs to the fluids of all cells around its edge.
@@ -45,6 +45,12 @@ namespace Lahar
   public:
     static void declare_parameters(Parameters &prm);
     void parse_parameters(Parameters &prm);
+
+    /// Of the case; one by default.
+    void set_number_of_fluids(const unsigned int n)
+    {
+      several_fluids = n > 1;
+    }
 
     /**
      * Remove and insert particles along the edges of @p mesh; @p old_domain and @p migration follow. The mesh is of no
@@ -97,6 +103,7 @@ namespace Lahar
                 ParticleCloud<dim> &cloud) const;
 
     double shortest = 0.6, longest = 1.5;
+    bool several_fluids = false; ///< in the case; a rank may see one of them only
   };
 } // namespace Lahar
 

@@ -53,6 +53,7 @@ namespace Lahar
     void set_number_of_fluids(const unsigned int n)
     {
       n_fluids = n;
+      particle_spacing.set_number_of_fluids(n);
     }
 
     /**

@@ -5,6 +5,8 @@
 
 #include <lahar/postprocess/postprocessor.h>
 
+#include <boost/serialization/split_member.hpp>
+
 #include <string>
 
 namespace Lahar
@@ -22,6 +24,23 @@ namespace Lahar
 
     /// A warning where many of all that were counted are ill-posed, and nothing otherwise. Collective.
     std::string warning(const MPI_Comm &communicator) const;
+
+    /// What this rank has counted; what several ranks have counted adds up.
+    template <typename Archive>
+    void save(Archive &archive, const unsigned int /*version*/) const
+    {
+      archive << n_flowing << n_ill_posed;
+    }
+
+    template <typename Archive>
+    void load(Archive &archive, const unsigned int /*version*/)
+    {
+      double flowing = 0., ill_posed = 0.;
+      archive >> flowing >> ill_posed;
+      n_flowing += flowing;
+      n_ill_posed += ill_posed;
+    }
+    BOOST_SERIALIZATION_SPLIT_MEMBER()
 
   private:
     double n_flowing = 0., n_ill_posed = 0.; ///< this rank's own
