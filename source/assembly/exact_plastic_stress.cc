@@ -22,7 +22,7 @@ namespace Lahar
     const FluidLaw::Value f = cell.law().plastic_part(strain_rate);
     if (linearization == ViscosityLinearization::picard || f.derivative == 0.)
       return {};
-    const double factor = cell.law().yield_stress(0.).value * f.derivative / strain_rate;
+    const double factor = cell.yield_stress().value * f.derivative / strain_rate;
     if (linearization == ViscosityLinearization::newton)
       return 2. * plastic_weight * factor * rate;
     const double gap    = deviator_norm<dim>(cell.plastic_dual() - 2. * f.value * rate);
@@ -37,7 +37,7 @@ namespace Lahar
   {
     const SymmetricTensor<2, dim> rate = cell.plastic_rate();
     const double strain_rate           = cell.plastic_strain_rate();
-    const double viscosity = cell.law().yield_stress(0.).value * cell.law().plastic_part(strain_rate).value;
+    const double viscosity             = cell.yield_stress().value * cell.law().plastic_part(strain_rate).value;
     assemble_stress(cell, SymmetricTensor<2, dim>(2. * viscosity * rate),
                     StressTangent<dim>{viscosity, 1., rate, rank_one_part(cell, rate, strain_rate)}, system);
   }

@@ -22,6 +22,7 @@ namespace Lahar
     , tau_s(state.stabilization[c])
     , mu_s(state.stabilization_viscosity[c])
     , pi(state.projection_of(c, vertices, fluid))
+    , lambda(state.structure_of(c))
   {
     const SimplexCorners<dim> old_corners = corners_of<dim>(vertices, state.old_position);
     V_old                                 = signed_volume<dim>(old_corners);

@@ -38,8 +38,7 @@ namespace Lahar
         continue;
       const double f    = law.plastic_part(cell.plastic_strain_rate()).value;
       const double work = 2. * f * deviator_product<dim>(cell.plastic_rate(), cell.deviator());
-      result.gap += law.yield_stress(cell.confining_pressure()).value * cell.volume() *
-                    std::max(0., cell.strain_rate() - work);
+      result.gap += cell.yield_stress().value * cell.volume() * std::max(0., cell.strain_rate() - work);
       double inertia = 0.;
       for (unsigned int I = 0; I <= dim; ++I)
         for (unsigned int J = 0; J <= dim; ++J)

@@ -98,8 +98,8 @@ namespace Lahar
       if (linearization == ViscosityLinearization::picard || rate < std::numeric_limits<double>::min())
         return tangent;
 
-      const double pressure = cell.confining_pressure();
-      const double tau_y = cell.law().has_exact_yield_stress() ? 0. : cell.law().yield_stress(pressure).value;
+      const double pressure           = cell.confining_pressure();
+      const double tau_y              = cell.law().has_exact_yield_stress() ? 0. : cell.yield_stress().value;
       const FluidLaw::Value plastic   = cell.law().plastic_part(rate);
       const double viscous_derivative = cell.law().viscous_part(rate, pressure).derivative;
       tangent.A                       = cell.deviator();
@@ -135,7 +135,7 @@ namespace Lahar
     const FluidLaw::Value viscosity =
       cell.law().has_exact_yield_stress()
         ? cell.law().viscous_part(cell.strain_rate(), cell.confining_pressure())
-        : cell.law().effective_viscosity(cell.strain_rate(), cell.confining_pressure());
+        : cell.effective_viscosity();
     const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator();
     const StressTangent<dim> tangent = viscous_tangent(cell, viscosity.value, linearization, plastic_weight);
 

@@ -21,11 +21,11 @@ namespace Lahar
   {
     const Tensor<1, dim> residual = cell.volume() * cell.momentum_residual(cell.law().density());
     const double pressure         = cell.confining_pressure();
-    double stress = cell.law().effective_viscosity(cell.strain_rate(), pressure).value * cell.strain_rate();
+    double stress                 = cell.effective_viscosity().value * cell.strain_rate();
     if (cell.law().has_exact_yield_stress()) // of which a plug that does not move has one, too
       stress = cell.law().viscous_part(cell.strain_rate(), pressure).value * cell.strain_rate() +
-               cell.law().yield_stress(pressure).value *
-                 cell.law().plastic_part(cell.plastic_strain_rate()).value * cell.plastic_strain_rate();
+               cell.yield_stress().value * cell.law().plastic_part(cell.plastic_strain_rate()).value *
+                 cell.plastic_strain_rate();
     const double bound = 2. * stress / cell.edge();
     for (const unsigned int v : vertices)
     {

@@ -15,11 +15,12 @@ namespace Lahar
 
 
 
-  FluidLaw::Value FluidLaw::effective_viscosity(const double strain_rate, const double pressure) const
+  FluidLaw::Value FluidLaw::effective_viscosity(const double strain_rate, const double pressure,
+                                                const double structure) const
   {
     const Value viscous = viscous_part(strain_rate, pressure);
     const Value plastic = plastic_part(strain_rate);
-    const Value tau_y   = yield_stress(pressure);
+    const Value tau_y   = structured_yield_stress(pressure, structure);
     return {viscous.value + tau_y.value * plastic.value,
             viscous.derivative + tau_y.value * plastic.derivative,
             viscous.pressure_derivative + tau_y.pressure_derivative * plastic.value};
@@ -27,10 +28,10 @@ namespace Lahar
 
 
 
-  bool FluidLaw::is_yielded(const double strain_rate, const double pressure) const
+  bool FluidLaw::is_yielded(const double strain_rate, const double pressure, const double structure) const
   {
-    const double tau_y = yield_stress(pressure).value;
-    return tau_y == 0. || effective_viscosity(strain_rate, pressure).value * strain_rate > tau_y;
+    const double tau_y = structured_yield_stress(pressure, structure).value;
+    return tau_y == 0. || effective_viscosity(strain_rate, pressure, structure).value * strain_rate > tau_y;
   }
 
 

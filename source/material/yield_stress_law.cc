@@ -36,6 +36,7 @@ namespace Lahar
       "Augmentation parameter", "1000",
       "Parameter r in s, above zero, of the method of multipliers, where 'Yield' is 'exact'. The iteration depends on "
       "it, the result does not; a good value makes r τ0 10 to 100 times μ + ρ L²/Δt, L the depth of the fluid.");
+    Thixotropy::declare_parameters(prm);
   }
 
 
@@ -62,6 +63,7 @@ namespace Lahar
       r = of_law;
     else if (prm.get("Yield") != "Papanastasiou")
       prm.throw_wrong_value("Yield", "Papanastasiou|exact");
+    structure_law.parse_parameters(prm, tau_0 > 0.);
   }
 
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <lahar/particles/fluid_set.h>
 #include <lahar/particles/particle_cloud.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Lahar
 {
@@ -37,6 +39,8 @@ namespace Lahar
     owed_volume.push_back(0.);
     reaction.emplace_back();
     friction.emplace_back();
+    for (std::vector<double> &of_fluid : structure)
+      of_fluid.push_back(no_structure);
     kind.push_back(new_kind);
     part.push_back(new_part);
     spacing.push_back(new_spacing);
@@ -64,6 +68,7 @@ namespace Lahar
     friction[i]                 = 0.5 * (friction[a] + friction[b]);
     pressure_rate[i]            = 0.5 * (pressure_rate[a] + pressure_rate[b]);
     owner[i]                    = owner[a];
+    set_mean_structure(i, a, b);
 
     unsigned int n_shared = 0;
     for (const int facet : contact_facets[a])
@@ -71,6 +76,18 @@ namespace Lahar
           std::find(contact_facets[b].begin(), contact_facets[b].end(), facet) != contact_facets[b].end())
         contact_facets[i][n_shared++] = facet;
     return i;
+  }
+
+
+
+  template <int dim>
+  void ParticleCloud<dim>::set_mean_structure(const unsigned int particle, const unsigned int a,
+                                              const unsigned int b)
+  {
+    for (std::vector<double> &of_fluid : structure)
+      of_fluid[particle] = of_fluid[a] < 0.   ? of_fluid[b]
+                           : of_fluid[b] < 0. ? of_fluid[a]
+                                              : 0.5 * (of_fluid[a] + of_fluid[b]);
   }
 
 
@@ -93,6 +110,8 @@ namespace Lahar
     compress(owed_volume, removed);
     compress(reaction, removed);
     compress(friction, removed);
+    for (std::vector<double> &of_fluid : structure)
+      compress(of_fluid, removed);
     compress(kind, removed);
     compress(part, removed);
     compress(spacing, removed);
@@ -105,33 +124,24 @@ namespace Lahar
 
 
   template <int dim>
-  typename ParticleCloud<dim>::Record ParticleCloud<dim>::record(const unsigned int i) const
+  void ParticleCloud<dim>::append_record(const unsigned int i, std::vector<double> &records) const
   {
-    Record result;
-    double *value = result.data();
     for (unsigned int d = 0; d < dim; ++d)
-    {
-      *value++ = position[i][d];
-      *value++ = velocity[i][d];
-      *value++ = acceleration[i][d];
-      *value++ = algorithmic_acceleration[i][d];
-      *value++ = reaction[i][d];
-      *value++ = friction[i][d];
-      *value++ = contact_facets[i][d];
-    }
-    for (const double x :
-         {pressure[i], pressure_rate[i], owed_volume[i], spacing[i], static_cast<double>(kind[i]),
-          static_cast<double>(part[i]), static_cast<double>(number[i]), static_cast<double>(owner[i])})
-      *value++ = x;
-    return result;
+      records.insert(records.end(),
+                     {position[i][d], velocity[i][d], acceleration[i][d], algorithmic_acceleration[i][d],
+                      reaction[i][d], friction[i][d], static_cast<double>(contact_facets[i][d])});
+    for (const std::vector<double> &of_fluid : structure)
+      records.push_back(of_fluid[i]);
+    records.insert(records.end(), {pressure[i], pressure_rate[i], owed_volume[i], spacing[i],
+                                   static_cast<double>(kind[i]), static_cast<double>(part[i]),
+                                   static_cast<double>(number[i]), static_cast<double>(owner[i])});
   }
 
 
 
   template <int dim>
-  void ParticleCloud<dim>::set(const unsigned int i, const Record &record)
+  void ParticleCloud<dim>::set(const unsigned int i, const double *value)
   {
-    const double *value = record.data();
     for (unsigned int d = 0; d < dim; ++d)
     {
       position[i][d]                 = *value++;
@@ -142,6 +152,8 @@ namespace Lahar
       friction[i][d]                 = *value++;
       contact_facets[i][d]           = static_cast<int>(*value++);
     }
+    for (std::vector<double> &of_fluid : structure)
+      of_fluid[i] = *value++;
     pressure[i]      = *value++;
     pressure_rate[i] = *value++;
     owed_volume[i]   = *value++;
@@ -155,17 +167,24 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleCloud<dim>::reinit(std::vector<Record> records)
+  void ParticleCloud<dim>::reinit(const std::vector<double> &records)
   {
-    const auto number_of = [](const Record &record) { return record[record.size() - 2]; };
-    std::stable_sort(records.begin(), records.end(),
-                     [&](const Record &a, const Record &b) { return number_of(a) < number_of(b); });
-    records.erase(std::unique(records.begin(), records.end(),
-                              [&](const Record &a, const Record &b) { return number_of(a) == number_of(b); }),
-                  records.end());
+    const unsigned int size = record_size();
+    AssertThrow(records.size() % size == 0, ExcMessage("Records of particles are not whole."));
+    const auto number_of = [&](const std::size_t record) { return records[(record + 1) * size - 2]; };
+    std::vector<std::size_t> order(records.size() / size);
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const std::size_t a, const std::size_t b) { return number_of(a) < number_of(b); });
+    order.erase(std::unique(order.begin(), order.end(),
+                            [&](const std::size_t a, const std::size_t b) {
+                              return number_of(a) == number_of(b);
+                            }),
+                order.end());
     ParticleCloud<dim> cloud;
-    for (const Record &record : records)
-      cloud.set(cloud.append(Point<dim>(), ParticleKind::fluid, 0.), record);
+    cloud.structure.resize(structure.size());
+    for (const std::size_t record : order)
+      cloud.set(cloud.append(Point<dim>(), ParticleKind::fluid, 0.), &records[record * size]);
     cloud.rank        = rank;
     cloud.next_number = next_number;
     *this             = std::move(cloud);

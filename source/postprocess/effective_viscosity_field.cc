@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/fluid_structure.h>
 #include <lahar/postprocess/output_field.h>
 #include <lahar/utilities/factory.h>
 
 namespace Lahar
 {
-  /// The effective viscosity μ_eff(γ̇, P) of the law, Pa s.
+  /// The effective viscosity μ_eff of the law, Pa s.
   template <int dim>
   class EffectiveViscosityField : public OutputField<dim>
   {
@@ -25,8 +26,13 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(snapshot.mesh.n_cells());
+      const std::vector<double> structure = FluidStructure<dim>::of_cells(snapshot.mesh, snapshot.materials,
+                                                                          snapshot.cloud);
       for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
-        values[c] = snapshot.law(c).effective_viscosity(cell.strain_rate(), cell.confining_pressure()).value;
+        values[c] = snapshot.law(c)
+                      .effective_viscosity(cell.strain_rate(), cell.confining_pressure(),
+                                           structure.empty() ? 0. : structure[c])
+                      .value;
       });
       return values;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/assembly/deviator.h>
+#include <lahar/assembly/fluid_structure.h>
 #include <lahar/postprocess/output_field.h>
 #include <lahar/utilities/factory.h>
 
@@ -34,10 +35,13 @@ namespace Lahar
     Vector<double> evaluate(const Snapshot<dim> &snapshot) const override
     {
       Vector<double> values(snapshot.mesh.n_cells());
+      const std::vector<double> structure = FluidStructure<dim>::of_cells(snapshot.mesh, snapshot.materials,
+                                                                          snapshot.cloud);
       const auto &cells = snapshot.mesh.particle_cells();
       for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
         const FluidLaw &law = snapshot.law(c);
-        values[c]           = law.is_yielded(cell.strain_rate(), cell.confining_pressure());
+        values[c]           = law.is_yielded(cell.strain_rate(), cell.confining_pressure(),
+                                  structure.empty() ? 0. : structure[c]);
         const auto *value   = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
                                 ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
                                 : nullptr;

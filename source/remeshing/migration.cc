@@ -156,7 +156,6 @@ namespace Lahar
       mesh.find_boundary_faces(cloud);
       return;
     }
-    using Record    = typename ParticleCloud<dim>::Record;
     region_distance = distance;
     divide_space(cloud, mesh);
     find_boxes(cloud);
@@ -193,9 +192,8 @@ namespace Lahar
       for (unsigned int i = 0; i < cloud.size(); ++i)
         if (goes[i])
         {
-          Record record = cloud.record(i);
-          record.back() = new_owner[i];
-          parcel.particles.insert(parcel.particles.end(), record.begin(), record.end());
+          cloud.append_record(i, parcel.particles);
+          parcel.particles.back() = new_owner[i];
         }
       if (!parcel.particles.empty())
         parcels[r] = std::move(parcel);
@@ -208,19 +206,15 @@ namespace Lahar
 
     // All that came; a particle comes from its owner and from those of its cells, always the same. Of the shared ones
     // this rank has its own copy at least.
-    std::vector<Record> records;
+    std::vector<double> records;
     for (const auto &[sender, parcel] : received)
-      for (auto value = parcel.particles.begin(); value != parcel.particles.end(); value += Record().size())
-      {
-        records.emplace_back();
-        std::copy_n(value, records.back().size(), records.back().begin());
-      }
+      records.insert(records.end(), parcel.particles.begin(), parcel.particles.end());
     for (unsigned int i = 0; i < n_shared; ++i)
     {
-      records.push_back(cloud.record(i));
-      records.back().back() = new_owner[i];
+      cloud.append_record(i, records);
+      records.back() = new_owner[i];
     }
-    cloud.reinit(std::move(records));
+    cloud.reinit(records);
 
     std::vector<Simplex<dim>> cells;
     std::vector<unsigned int> fluids;
@@ -289,13 +283,14 @@ namespace Lahar
   {
     if (is_alone())
       return;
-    std::vector<typename ParticleCloud<dim>::Record> records(cloud.size());
+    std::vector<double> records;
+    records.reserve(cloud.size() * cloud.record_size());
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      records[i] = cloud.record(i);
-    update(records);
+      cloud.append_record(i, records);
+    exchange.update(records.data(), cloud.record_size());
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (!cloud.is_own(i))
-        cloud.set(i, records[i]);
+        cloud.set(i, &records[i * cloud.record_size()]);
   }
 
 

@@ -305,7 +305,12 @@ namespace Lahar
         for (const std::vector<unsigned int> *left : {&removal.moved, &removal.needed})
           if (left->size() == 1 && cloud.kind[left->front()] == ParticleKind::fluid &&
               cloud.kind[b] == ParticleKind::fluid && are_apart(cloud.part[left->front()], cloud.part[b]))
+          {
             cloud.part[left->front()] |= cloud.part[b];
+            for (std::vector<double> &of_fluid : cloud.structure)
+              if (of_fluid[left->front()] < 0.)
+                of_fluid[left->front()] = of_fluid[b];
+          }
         for (const unsigned int a : removal.moved)
         {
           changes.merged[a]                 = 1.;
@@ -316,6 +321,7 @@ namespace Lahar
                                                      cloud.algorithmic_acceleration[b]);
           cloud.pressure[a]                 = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
           cloud.pressure_rate[a]            = 0.5 * (cloud.pressure_rate[a] + cloud.pressure_rate[b]);
+          cloud.set_mean_structure(a, a, b);
         }
       }
       // What this rank thinks of others' particles may be wrong at the rim of its region: their owners know.

@@ -69,10 +69,7 @@ namespace Lahar
     std::vector<double> records;
     for (unsigned int i = 0; i < particles.size(); ++i)
       if (is_saved[i] || particles.is_own(i))
-      {
-        const auto record = particles.record(i);
-        records.insert(records.end(), record.begin(), record.end());
-      }
+        particles.append_record(i, records);
     std::ostringstream data;
     boost::archive::binary_oarchive archive(data, boost::archive::no_header);
     archive << records << cells << keys << values << ill_posed_cells << migration;
@@ -84,9 +81,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::load_pieces(const RunCheckpoint::Content &content)
   {
-    using Record               = typename ParticleCloud<dim>::Record;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator());
-    std::vector<Record> records;
+    std::vector<double> records;
     std::vector<std::uint64_t> numbers;
     for (const std::string &piece : content.pieces)
     {
@@ -98,13 +94,11 @@ namespace Lahar
       multipliers.table().add_all(cell_keys, cell_values);
       if (content.same_ranks)
         archive >> migration;
-      for (auto value = values.begin(); value != values.end(); value += Record().size())
-      {
-        records.emplace_back();
-        std::copy_n(value, records.back().size(), records.back().begin());
-        // A rank's piece was read by this one.
-        records.back().back() = static_cast<unsigned int>(records.back().back()) % n_ranks;
-      }
+      // A rank's piece was read by this one.
+      for (std::size_t owner = particles.record_size() - 1; owner < values.size();
+           owner += particles.record_size())
+        values[owner] = static_cast<unsigned int>(values[owner]) % n_ranks;
+      records.insert(records.end(), values.begin(), values.end());
       numbers.insert(numbers.end(), piece_numbers.begin(), piece_numbers.end());
     }
     // All ranks have the solids' particles, as copies if no piece has them.
@@ -112,10 +106,10 @@ namespace Lahar
     {
       particles.position[i] = solids.state().position[i];
       particles.velocity[i] = solids.state().velocity[i];
-      records.push_back(particles.record(i));
-      records.back().back() = n_ranks;
+      particles.append_record(i, records);
+      records.back() = n_ranks;
     }
-    particles.reinit(std::move(records));
+    particles.reinit(records);
     std::vector<Simplex<dim>> cells;
     std::vector<unsigned int> fluids;
     for (auto number = numbers.begin(); number != numbers.end(); number += dim + 2)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/fluid_structure.h>
 #include <lahar/boundary/open_floor.h>
 #include <lahar/boundary/wall_contact.h>
 #include <lahar/geometry/symmetry.h>
@@ -55,8 +56,10 @@ namespace Lahar
     outlets = input.geometry.outlets();
     outlets.check_initial(particles);
     input.domain_limit.check_initial(prm, particles);
+    FluidStructure<dim>::prepare(materials, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
+    FluidStructure<dim>::complete(fluid_mesh, materials, migration, particles);
     inlets.find_shares(walls, particles, fluid_mesh, communicator());
     inlets.start_step(particles, fluid_mesh, communicator(), input.run.start_time, 0.);
     inlets.carry(particles.position, particles); // they move from the start

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/deviator.h>
+#include <lahar/assembly/fluid_structure.h>
 #include <lahar/boundary/free_flight.h>
 #include <lahar/boundary/solid_collision.h>
 #include <lahar/boundary/wall_contact.h>
@@ -135,7 +137,7 @@ namespace Lahar
           {fluid_mesh, particles, solids, migration, materials, input.gravity, time_integration,
            time + time_step, constraints(*wall_step), remeshing.arrives,
            SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws()),
-           multipliers.values()});
+           multipliers.values(), FluidStructure<dim>::of_cells(fluid_mesh, materials, particles)});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -202,6 +204,7 @@ namespace Lahar
     }
     if (has_multipliers())
       multipliers.follow(fluid_mesh, particles);
+    FluidStructure<dim>::complete(fluid_mesh, materials, migration, particles);
     if (remesher.keeps_volume())
       inlets.owe_layers(layers, fluid_mesh, migration, particles);
     counters.forced_facets += count_on_ranks(remeshing.n_forced);
@@ -231,8 +234,12 @@ namespace Lahar
       account.fluids.went_out(fluid_volumes());
       account.momentum.went_out(fluid_momentum());
     }
+    const std::uint64_t first_number = particles.next_number;
     if (inlets.renew(walls, communicator(), particles, fluid_mesh) > 0)
+    {
       account.momentum.came_in(fluid_momentum());
+      FluidStructure<dim>::refresh(first_number, materials, particles);
+    }
   }
 
 
@@ -270,13 +277,8 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Update");
     const std::vector<Point<dim>> old_position = particles.position;
-    if (has_multipliers())
-    {
-      std::vector<SymmetricTensor<2, dim>> values = multipliers.values();
-      problem.get_multipliers(values);
-      multipliers.set(fluid_mesh, particles, std::move(values));
-    }
     problem.accept(particles, solids);
+    advance_history(time_step);
     wall_step.carry_particles(old_position, particles);
     inlets.carry(old_position, particles);
     take_mean_forces();
@@ -305,6 +307,24 @@ namespace Lahar
     if (input.geometry.has_fluid())
       account.momentum.changed(fluid_momentum());
     counters.cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
+  }
+
+
+
+  template <int dim>
+  void Simulator<dim>::advance_history(const double time_step)
+  {
+    const std::vector<double> before = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
+    FluidStructure<dim>::advance(fluid_mesh, materials, time_step, migration, particles);
+    if (!has_multipliers())
+      return;
+    std::vector<SymmetricTensor<2, dim>> values = multipliers.values();
+    problem.get_multipliers(values);
+    // Where the yield stress has grown a smaller part of it carries the same load.
+    const std::vector<double> now = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
+    for (unsigned int c = 0; c < now.size(); ++c)
+      values[c] = project_deviator<dim>((1. + before[c]) / (1. + now[c]) * values[c]);
+    multipliers.set(fluid_mesh, particles, std::move(values));
   }
 
 

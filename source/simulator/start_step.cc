@@ -37,6 +37,10 @@ namespace Lahar
                         start.time_integration.length(), numbering, communicator());
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
 
+    fluid.state.structure.clear();
+    if (!start.structure.empty())
+      for (const unsigned int c : system.cells())
+        fluid.state.structure.push_back(start.structure[c]);
     if (materials.any_exact_yield_stress())
       start_multipliers(start.multipliers);
     assembler.set_stabilization(*mesh, materials, fluid.state);

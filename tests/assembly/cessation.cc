@@ -2,7 +2,10 @@
 
 // Test the stop of a film of a fluid with an exact yield stress, half a plane Poiseuille flow: without load, and under a
 // load that the yield stress carries, it stands still after a finite time, whatever the augmentation parameter is. The
-// regularised fluid does not stop; the yield gap bounds its error.
+// regularised fluid does not stop; the yield gap bounds its error. A film whose yield stress builds up follows the steady
+// ones and stops when it has reached the load; one that flow breaks down fast enough flows on.
+
+#include <lahar/assembly/fluid_structure.h>
 
 #include <sstream>
 
@@ -63,9 +66,11 @@ public:
     , time_step(time_step)
     , film(n_layers, n_wide)
   {
-    FluidMesh<2> mesh;
-    mesh.reinit(film.cloud, film.cells);
-    stokes = std::make_unique<Stokes<2>>(mesh, film.cloud, law, Point<2>(c.load, 0.), 1e-6, "");
+    whole.reinit(film.cloud, film.cells);
+    FluidStructure<2>::prepare(law, film.cloud);
+    for (std::vector<double> &structure : film.cloud.structure)
+      structure.assign(film.cloud.size(), law.thixotropy().initial_structure());
+    stokes = std::make_unique<Stokes<2>>(whole, film.cloud, law, Point<2>(c.load, 0.), 1e-6, "");
     for (unsigned int v = 0; v < stokes->mesh.n_vertices(); ++v)
     {
       const Point<2> &x                    = stokes->state.position[v];
@@ -119,6 +124,15 @@ public:
     return most_iterations;
   }
 
+  /// Let its structure (FluidStructure) pass a step; cells take it from there.
+  void advance_structure()
+  {
+    for (unsigned int v = 0; v < stokes->state.velocity.size(); ++v)
+      film.cloud.velocity[v] = stokes->state.velocity[v];
+    FluidStructure<2>::advance(whole, law, time_step, Migration<2>(), film.cloud);
+    stokes->state.structure = FluidStructure<2>::of_cells(whole, law, film.cloud);
+  }
+
   double surface_speed() const
   {
     double speed = 0.;
@@ -144,6 +158,7 @@ private:
   const FluidLaw &law;
   double time_step;
   Film<2> film;
+  FluidMesh<2> whole;
   std::unique_ptr<Stokes<2>> stokes;
   typename BlockSystem<2>::Vector solution;
 };
@@ -252,6 +267,43 @@ void test_bound()
   }
 }
 
+/// A yield stress that grows as (1 + t/T) τ0 under the load 1, slowly beside the flow: the film follows the steady ones,
+/// whose surface has the speed (1 − τ_y)²/2, and stops at T (1/τ0 − 1).
+void test_structure()
+{
+  constexpr double T = 200., time_step = 2.;
+  const Case c          = {0.5, 1., 200., {}};
+  const Entries entries = {
+    {"Density", "1"},   {"Plastic viscosity", "1"},        {"Yield stress", "0.5"},
+    {"Yield", "exact"}, {"Augmentation parameter", "3e4"}, {"Flocculation time", text(T)}};
+  Entries lasting = entries, broken = entries;
+  lasting.emplace_back("Deflocculation parameter", "0");
+  broken.emplace_back("Deflocculation parameter", "1");
+  const auto law = make_law("Bingham", lasting), breaking = make_law("Bingham", broken);
+  StoppingFilm film(c, *law, time_step), flowing(c, *breaking, time_step);
+  double error = 0., stop = -1., time = 0.;
+  for (unsigned int step = 1; step <= 110; ++step)
+  {
+    film.step();
+    if (step <= 100)
+      flowing.step();
+    const double speed = film.surface_speed(), yield_stress = 0.5 * (1. + time / T);
+    if (yield_stress < 0.9)
+      error = std::max(error, std::abs(speed / (0.5 * (1. - yield_stress) * (1. - yield_stress)) - 1.));
+    time += time_step;
+    if (speed < standing && stop < 0.)
+      stop = time;
+    film.advance_structure();
+    flowing.advance_structure();
+  }
+  if (std::getenv("LAHAR_TEST_VERBOSE"))
+    std::cout << "error " << error << ", stop " << stop << ", flowing " << flowing.surface_speed()
+              << std::endl;
+  check("a yield stress that grows: speeds", error, 0.03);
+  check("and the time of the stop", stop / T - 1., 0.02);
+  check("one that flow breaks down does not stop the film", flowing.surface_speed() > 0.05);
+}
+
 int main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -260,5 +312,6 @@ int main(int argc, char **argv)
   test({0.5, 0., 0.1484, {{0.0881, 0.0537, 0.0239}}});
   test({0.5, 0.25, 0.2231, {}});
   test_bound();
+  test_structure();
   return n_failed;
 }

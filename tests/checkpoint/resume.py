@@ -5,7 +5,7 @@
 column, barrier, refined, rotational, space: a run that is stopped by signals and resumed leaves, bit for bit, the files
           of one that is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, with
           rotational symmetry, in space.
-exact:    the same of a fluid whose yield stress is exact, which begins to flow and stops.
+exact, thixotropic: the same of a fluid whose yield stress is exact, which begins to flow and stops; and builds up.
 rejected, rejected_space: a step that is given up and repeated with half its length leaves, bit for bit, the files of a
           run that begins with the length that succeeds.
 counts:   what a run says of the cells in which the equations of grains are ill-posed holds for all of its parts together.
@@ -64,6 +64,8 @@ EXACT = COLUMN.replace("set Yield stress = 20", "set Yield stress = 500\nset Pla
     "0, 0 : 0.146, 0.292", "0, 0 : 0.1, 0.15") + """
 set Time integration = backward Euler
 """
+
+THIXOTROPIC = EXACT.replace("set Yield = exact", "set Yield = exact\nset Flocculation time = 0.1\nset Initial structure = 0.2")
 
 GRAINS = COLLAPSE.replace("subsection Bingham", "set Law = mu(I)\nsubsection Bingham").replace(
     "set End time         = 0.12", "set End time         = 0.06") + walls("0, 0.4 : 0, 0 : 0.5, 0")
@@ -368,7 +370,7 @@ def main():
     parent = tempfile.mkdtemp()
     try:
         cases = {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "rotational": ROTATIONAL, "space": SPACE,
-                 "exact": EXACT}
+                 "exact": EXACT, "thixotropic": THIXOTROPIC}
         if group in cases:
             test_stopped(parent, cases[group])
         elif group in ("rejected", "rejected_space"):

@@ -5,7 +5,8 @@
 column, barrier, rotational, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an
           elastic barrier, with rotational symmetry, in space with the iterative solver; linear and nonlinear tolerances are
           tight, so that rounding is all that differs. The pieces of a snapshot are the whole.
-exact, exact_space: the same of a fluid whose yield stress is exact, in the plane and in space, with the direct solver.
+exact, exact_space, thixotropic: the same of a fluid whose yield stress is exact, in the plane and in space, with the
+          direct solver, and of one that builds up and breaks down.
 rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
 pieces:   so is a piece in the place of another rank's, of another checkpoint or another run, or of the same number in a run
@@ -97,6 +98,11 @@ subsection Postprocess
 end
 """
 
+# Structure that grows and breaks within the run.
+STRUCTURE = "\n".join(["set Yield stress = 20", "set Flocculation time = 0.02", "set Deflocculation parameter = 2",
+                       "set Initial structure = 0.5"])
+
+
 def exact(text):
     """The same case with a fluid whose yield stress is exact."""
     return text.replace("set Yield stress = 20", "set Yield stress = 300\nset Plastic viscosity = 1\nset Yield = exact")
@@ -125,7 +131,8 @@ set Largest movement = 1e-3
 
 CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "rotational": ROTATIONAL + TIGHT, "space": SPACE + TIGHT,
          "exact": exact(COLUMN) + TIGHT + MULTIPLIERS, "exact_space": exact(SPACE) + TIGHT + MULTIPLIERS + DIRECT,
-         "rejected": BARRIER + TIGHT + CAUTIOUS}
+         "rejected": BARRIER + TIGHT + CAUTIOUS,
+         "thixotropic": COLUMN.replace("set Yield stress = 20", STRUCTURE) + TIGHT}
 
 # What measures convergence, not the flow.
 CONVERGENCE = ("Velocity increment", "Pressure increment", "Momentum residual (N)", "Mass residual (m^dim/s)",

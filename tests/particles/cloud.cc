@@ -18,9 +18,10 @@ void test()
     const std::size_t n = cloud.size();
     return cloud.velocity.size() == n && cloud.acceleration.size() == n && cloud.pressure.size() == n &&
            cloud.pressure_rate.size() == n && cloud.kind.size() == n && cloud.spacing.size() == n &&
-           cloud.contact_facets.size() == n;
+           cloud.contact_facets.size() == n && cloud.structure[0].size() == n;
   };
 
+  cloud.structure.resize(2);
   Random random;
   for (unsigned int i = 0; i < 6; ++i)
   {
@@ -36,7 +37,9 @@ void test()
     cloud.owed_volume[i]              = random.number();
     cloud.pressure[i]                 = random.number();
     cloud.pressure_rate[i]            = random.number();
+    cloud.structure[0][i]             = i;
   }
+  cloud.structure[1][5] = 7.;
   check("numbers of each kind", cloud.n_particles(ParticleKind::wall) == 2 &&
                                   cloud.n_particles(ParticleKind::fluid) == 4 &&
                                   cloud.n_particles(ParticleKind::solid) == 0);
@@ -58,8 +61,12 @@ void test()
   check("it is fluid and slides on the shared facet alone",
         cloud.kind[m] == ParticleKind::fluid && cloud.contact_facets[m][0] == 7 &&
           cloud.contact_facets[m][1] == ParticleCloud<dim>::no_facet && cloud.in_contact(m));
+  check("it has the mean structure of those that have one",
+        cloud.structure[0][m] == 3.5 && cloud.structure[1][m] == 7.);
   const unsigned int at_wall = cloud.append_midpoint(0, 1);
   check("between wall particles: fluid as well", cloud.kind[at_wall] == ParticleKind::fluid && at_wall == 7);
+  check("without structure if both have none",
+        cloud.structure[1][at_wall] == ParticleCloud<dim>::no_structure);
   check("arrays have one length", is_consistent());
 
   const ParticleCloud<dim> before = cloud;
@@ -76,7 +83,8 @@ void test()
       same = same && cloud.position[k] == before.position[i] && cloud.velocity[k] == before.velocity[i] &&
              cloud.acceleration[k] == before.acceleration[i] && cloud.pressure[k] == before.pressure[i] &&
              cloud.pressure_rate[k] == before.pressure_rate[i] && cloud.kind[k] == before.kind[i] &&
-             cloud.spacing[k] == before.spacing[i] && cloud.contact_facets[k] == before.contact_facets[i];
+             cloud.spacing[k] == before.spacing[i] && cloud.contact_facets[k] == before.contact_facets[i] &&
+             cloud.structure[0][k] == before.structure[0][i];
     }
   }
   check("remove keeps the order of the others", kept_order && cloud.size() == 4);
@@ -86,19 +94,25 @@ void test()
   ParticleCloud<dim> copy;
   copy.rank        = 3;
   copy.next_number = 99;
-  std::vector<typename ParticleCloud<dim>::Record> records;
+  copy.structure.resize(2);
+  std::vector<double> records;
   for (const unsigned int i : {7, 2, 5, 0})
-    records.push_back(before.record(i));
+    before.append_record(i, records);
   for (const unsigned int i : {5, 2})
   {
-    records.push_back(before.record(i));
-    records.back()[0] = 1e3;
+    before.append_record(i, records);
+    records[records.size() - before.record_size()] = 1e3;
   }
   copy.reinit(records);
+  const auto record = [](const ParticleCloud<dim> &of, const unsigned int i) {
+    std::vector<double> result;
+    of.append_record(i, result);
+    return result;
+  };
   same                           = copy.size() == 4 && copy.rank == 3 && copy.next_number == 99;
   const unsigned int expected[4] = {0, 2, 5, 7};
   for (unsigned int k = 0; k < 4 && same; ++k)
-    same = copy.number[k] == expected[k] && copy.record(k) == before.record(expected[k]) &&
+    same = copy.number[k] == expected[k] && record(copy, k) == record(before, expected[k]) &&
            copy.find(expected[k]) == k;
   check("records make a cloud", same && copy.find(3) == numbers::invalid_unsigned_int);
 

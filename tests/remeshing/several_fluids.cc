@@ -166,7 +166,7 @@ struct Strip
       for (unsigned int i = 0; i < n; ++i)
         cloud.append(Point<2>(h * i, h * j), ParticleKind::fluid, h,
                      i > n_first                         ? 2U
-                     : i == n_first || (j == 2 && i < 9) ? 3U
+                     : i == n_first || (j >= 2 && i < 9) ? 3U
                                                          : 1U);
     const auto distance = [&] { return remesher.region_distance(cloud, mesh, 0., communicator); };
     migration.distribute(cloud, distance(), 0);

@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-from verification import read_reference, read_run
+from verification import fluid_fronts, read_reference, read_run
 
 from figure_style import INK, WIDTH, plt, save, use_style
 from lahar_output import OutputError, read_pvd, read_vtu
@@ -176,6 +176,44 @@ def draw_inflow(runs):
     right.plot([0., 0.3, 0.6, 1., 1.2, 1.5], [0., 0.06, 0.06, 0.02, 0., 0.], color=INK, linewidth=0.8, label="$Q$ (m²/s)")
     right.set(xlabel="$t$ (s)", ylabel="volume (m²)", ylim=(-0.003, 0.088))
     right.legend(loc="upper right")
+    return figure
+
+
+def draw_thixotropy(runs):
+    """The structure of a block that slumps (doc/fluid-laws.md)."""
+    figure, axes = plt.subplots(1, 3, figsize=(WIDTH, 2.), layout="constrained", sharey=True)
+    for place, (time, path) in zip(axes, read_pvd(runs / "slump" / "solution.pvd")):
+        mesh = read_vtu(path)
+        colours = place.tripcolor(mesh.points[:, 0], mesh.points[:, 1], mesh.triangles, facecolors=mesh.at_cells("structure"),
+                                  cmap="viridis", vmin=0., vmax=1., rasterized=True)
+        place.set(xlabel="$x$ (m)", aspect="equal", title=f"$t$ = {time:g} s", xlim=(0., 0.26), ylim=(0., 0.105))
+    axes[0].set(ylabel="$y$ (m)")
+    figure.colorbar(colours, ax=axes, label="λ", shrink=0.8)
+    return figure
+
+
+def draw_lock_exchange(runs):
+    """The two fluids, and their fronts (doc/several-fluids.md)."""
+    figure = plt.figure(figsize=(WIDTH, 4.2), layout="constrained")
+    rows = figure.add_gridspec(4, 1, height_ratios=[1., 1., 1., 2.])
+    snapshots = read_pvd(runs / "lock_exchange" / "solution.pvd")
+    for row, wanted in enumerate((2., 4., 6.)):
+        axes = figure.add_subplot(rows[row])
+        mesh = read_vtu([path for time, path in snapshots if time < wanted + 1e-6][-1])
+        axes.tripcolor(mesh.points[:, 0], mesh.points[:, 1], mesh.triangles, facecolors=1. - mesh.at_cells("fluid"), cmap="Blues",
+                       vmin=-0.3, vmax=1.4, rasterized=True)
+        axes.triplot(mesh.points[:, 0], mesh.points[:, 1], mesh.triangles, color="white", linewidth=0.15)
+        axes.set(ylabel="$y$ (m)", aspect="equal", xlim=(0., 8.), ylim=(0., 1.), title=f"$t$ = {wanted:g} s")
+    axes.set(xlabel="$x$ (m)")
+    time, fronts = fluid_fronts(runs / "lock_exchange")
+    axes = figure.add_subplot(rows[3])
+    axes.plot(time, fronts[:, 0, 1] - 4., "o", markersize=3.5, fillstyle="none", label="heavy, at the bottom")
+    axes.plot(time, 4. - fronts[:, 1, 0], "s", markersize=3.5, fillstyle="none", label="light, at the top")
+    start = int(np.argmin(abs(time - 2.)))
+    axes.plot(time[start:], fronts[start, 0, 1] - 4. + 0.5 * (time[start:] - time[start]), color=INK, linewidth=0.8,
+              label="0.5 m/s from 2 s on")
+    axes.set(xlabel="$t$ (s)", ylabel="way of the front (m)")
+    axes.legend()
     return figure
 
 

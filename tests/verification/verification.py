@@ -122,6 +122,17 @@ def last_mesh(directory):
     return read_vtu(read_pvd(directory / "solution.pvd")[-1][1])
 
 
+def fluid_fronts(directory):
+    """Times of the snapshots, and by snapshot and fluid of two the least and the largest x of its cells."""
+    times, fronts = [], []
+    for time, path in read_pvd(directory / "solution.pvd"):
+        mesh = read_vtu(path)
+        x, fluid = mesh.points[mesh.triangles][:, :, 0], mesh.at_cells("fluid")
+        times.append(time)
+        fronts.append([(x[fluid == f].min(), x[fluid == f].max()) for f in (0., 1.)])
+    return np.array(times), np.array(fronts)
+
+
 def integrate(mesh, values):
     """Integral over the fluid of a product of fields that are linear by triangle, given at the points."""
     a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))

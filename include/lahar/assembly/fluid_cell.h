@@ -162,12 +162,30 @@ namespace Lahar
       return Lambda_k;
     }
 
+    /// λ of Thixotropy; zero for other laws.
+    double structure() const
+    {
+      return lambda;
+    }
+
     /// The rate e' to which the plastic part of the stress belongs, τ0 f(ε̇) 2 e' with ε̇ = sqrt(2 e':e'), in-plane part:
     /// d', and where the yield stress is exact d' + Λ_k/(2 r).
     SymmetricTensor<2, dim> plastic_rate() const
     {
       const double r = law().augmentation();
       return r > 0. ? this->deviator() + Lambda_k / (2. * r) : this->deviator();
+    }
+
+    /// (1 + λ) τ_y of the law.
+    FluidLaw::Value yield_stress() const
+    {
+      return law().structured_yield_stress(this->confining_pressure(), lambda);
+    }
+
+    /// μ_eff of the law.
+    FluidLaw::Value effective_viscosity() const
+    {
+      return law().effective_viscosity(this->strain_rate(), this->confining_pressure(), lambda);
     }
 
     /// ε̇ of plastic_rate().
@@ -206,6 +224,7 @@ namespace Lahar
     double tau_s, mu_s;
     Tensor<1, dim> pi;
     SymmetricTensor<2, dim> dual, Lambda_k;
+    double lambda;
   };
 
   /// Residual and Jacobian of one cell; node I has the velocity rows (I, 0 … dim−1) and the pressure row (I, dim).

@@ -36,6 +36,7 @@ namespace Lahar
     std::vector<Tensor<1, dim>>
       residual_projection; ///< by vertex for the first fluid, then for the second …; N/m³; see ResidualProjection
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
+    std::vector<double> structure; ///< λ by cell, see Thixotropy; empty if no fluid is thixotropic
     std::vector<bool> sliver, left_out;
 
     /// Where the yield stress is exact, by cell: Λ_k, see ExactPlasticStress; whether the fluid stands, and π then. Else
@@ -43,6 +44,11 @@ namespace Lahar
     std::vector<SymmetricTensor<2, dim>> multiplier;
     std::vector<bool> stands;
     std::vector<Tensor<1, dim>> standing_projection;
+
+    double structure_of(const unsigned int c) const
+    {
+      return structure.empty() ? 0. : structure[c];
+    }
 
     /// π of a cell of the fluid of this number.
     Tensor<1, dim> projection_of(const unsigned int c, const Simplex<dim> &vertices,

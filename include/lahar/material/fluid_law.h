@@ -3,6 +3,7 @@
 #ifndef lahar_material_fluid_law_h
 #define lahar_material_fluid_law_h
 
+#include <lahar/material/thixotropy.h>
 #include <lahar/utilities/parameters.h>
 
 #include <memory>
@@ -17,6 +18,8 @@ namespace Lahar
    * d' the three-dimensional deviator of the rate of deformation (in plane strain it has an out-of-plane component).
    * μ is the viscous part and τ_y f the plastic part; τ_y f γ̇ → τ_y for large γ̇. The two are kept apart because the
    * primal–dual Newton scheme treats the plastic part in its own way (ViscosityLinearization::primal_dual).
+   * With Thixotropy the plastic part is (1 + λ) τ_y f, λ the structure parameter; what a law tells of its yield stress is
+   * that of fluid without structure.
    * P ≥ 0 is the pressure of a cell where it is compressed, zero where it is in tension, see
    * FluidCell::confining_pressure(). Most laws leave it out; in those of grains friction grows with it.
    * In incompressible flow d' = d and γ̇ is Franci & Zhang's (2018, eq. 8) equivalent strain rate; taking the deviator
@@ -82,11 +85,25 @@ namespace Lahar
       return augmentation() > 0. && yield_stress(0.).value > 0.;
     }
 
+    /// How the yield stress builds up and breaks down; by default it does not.
+    const Thixotropy &thixotropy() const
+    {
+      return structure_law;
+    }
+
+    /// (1 + λ) τ_y(P).
+    Value structured_yield_stress(const double pressure, const double structure) const
+    {
+      const Value tau_y = yield_stress(pressure);
+      return {(1. + structure) * tau_y.value, 0., (1. + structure) * tau_y.pressure_derivative};
+    }
+
     /// μ_eff(γ̇, P) and its derivatives.
-    Value effective_viscosity(const double strain_rate, const double pressure) const;
+    Value effective_viscosity(const double strain_rate, const double pressure,
+                              const double structure = 0.) const;
 
     /// Whether the stress intensity |τ| = μ_eff γ̇ exceeds the yield stress (always, where there is none).
-    bool is_yielded(const double strain_rate, const double pressure) const;
+    bool is_yielded(const double strain_rate, const double pressure, const double structure = 0.) const;
 
     /// Whether there are states at which is_well_posed() says no.
     virtual bool may_be_ill_posed() const
@@ -113,6 +130,8 @@ namespace Lahar
   protected:
     /// Declare what all laws share: `Density` and `Bulk modulus`.
     static void declare_common_parameters(Parameters &prm);
+
+    Thixotropy structure_law; ///< for a law that has its entries
 
   private:
     double rho                  = 1000.;

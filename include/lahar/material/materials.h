@@ -76,6 +76,13 @@ namespace Lahar
                          [](const FluidLaw *law) { return law->may_be_ill_posed(); });
     }
 
+    /// Whether any fluid has a Thixotropy.
+    bool any_thixotropic() const
+    {
+      return std::any_of(laws.begin(), laws.end(),
+                         [](const FluidLaw *law) { return law->thixotropy().is_there(); });
+    }
+
     /// Whether all fluids are incompressible.
     bool all_incompressible() const
     {

@@ -39,7 +39,7 @@ namespace Lahar
 
     /// Declare `Regularization parameter`. @param unyielded viscosity of the unyielded fluid, for the documentation.
     static void declare_regularization(Parameters &prm, const std::string &unyielded);
-    /// Declare `Yield` and the parameters of its choices.
+    /// Declare `Yield` and the parameters of its choices, and those of Thixotropy.
     static void declare_yield(Parameters &prm, const std::string &unyielded);
 
     /// Read `Yield stress`. @throws InputError
@@ -47,7 +47,7 @@ namespace Lahar
 
     /// Read what declare_regularization() declares. @throws InputError
     void parse_regularization(const Parameters &prm);
-    /// Read what declare_yield() declares. @throws InputError
+    /// Read what declare_yield() declares, when #tau_0 is known. @throws InputError
     void parse_yield(const Parameters &prm);
 
     double tau_0    = 0.; ///< Pa

@@ -41,6 +41,9 @@ namespace Lahar
     /// Marks an unused entry of #contact_facets.
     static constexpr int no_facet = -1;
 
+    /// Marks a particle in #structure that has none.
+    static constexpr double no_structure = -1.;
+
     std::vector<Point<dim>> position;         ///< m
     std::vector<Tensor<1, dim>> velocity;     ///< m/s
     std::vector<Tensor<1, dim>> acceleration; ///< m/s²
@@ -52,6 +55,9 @@ namespace Lahar
     std::vector<Tensor<1, dim>> reaction; ///< mean force of wall or solid on the fluid in the last step, N
     std::vector<Tensor<1, dim>>
       friction; ///< where it slides: the multiplier of the friction, see SlidingContact
+    std::vector<std::vector<double>>
+      structure; ///< by fluid, and then by particle: the structure parameter λ of Thixotropy, none where below zero;
+                 ///< empty if no fluid is thixotropic
     std::vector<ParticleKind> kind;
     std::vector<unsigned int>
       part; ///< of a fluid particle the FluidSet that it belongs to, of others the number of their boundary or solid
@@ -87,11 +93,14 @@ namespace Lahar
 
     /**
      * Append a fluid particle in the middle between particles @p a and @p b: position, velocity, accelerations,
-     * pressure, its rate, friction and spacing are their means; it lies on the facets that both share and
+     * pressure, its rate, friction, structure and spacing are their means; it lies on the facets that both share and
      * belongs to the owner of @p a, and to the fluids that those of them share that are fluid, or else to all of theirs.
      * Return its index.
      */
     unsigned int append_midpoint(const unsigned int a, const unsigned int b);
+
+    /// Let the particle have, of each fluid, the mean structure of particles @p a and @p b; that of one if only one has it.
+    void set_mean_structure(const unsigned int particle, const unsigned int a, const unsigned int b);
 
     /**
      * Remove the particles whose entry in @p removed is true; the others keep their order.
@@ -100,17 +109,21 @@ namespace Lahar
      */
     std::vector<unsigned int> remove(const std::vector<bool> &removed);
 
-    /// A particle as numbers, to send it.
-    using Record = std::array<double, 7 * dim + 8>;
+    /// How many numbers tell all of a particle, to send it. The last one is its owner.
+    unsigned int record_size() const
+    {
+      return 7 * dim + 8 + structure.size();
+    }
 
-    Record record(const unsigned int particle) const;
+    /// Append the numbers of a particle.
+    void append_record(const unsigned int particle, std::vector<double> &records) const;
 
-    /// Make a particle what the record says.
-    void set(const unsigned int particle, const Record &record);
+    /// Make a particle what record_size() numbers say.
+    void set(const unsigned int particle, const double *record);
 
-    /// Replace all particles by those of @p records, which come in any order; of those with the same number the first
-    /// one counts. Rank and next number stay.
-    void reinit(std::vector<Record> records);
+    /// Replace all particles by those of @p records, one behind the other in any order; of those with the same number
+    /// the first one counts. Rank and next number stay.
+    void reinit(const std::vector<double> &records);
 
     /// Index of the particle with a number; numbers::invalid_unsigned_int if it is not here.
     unsigned int find(const std::uint64_t particle_number) const;
@@ -125,7 +138,8 @@ namespace Lahar
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
-        &owed_volume &reaction &friction &kind &part &spacing &contact_facets &number &owner &next_number;
+        &owed_volume &reaction &friction &structure &kind &part &spacing &contact_facets &number &owner
+          &next_number;
     }
   };
 } // namespace Lahar

@@ -129,6 +129,8 @@ namespace Lahar
     void check_movements() const;
     /// @param wall_step the walls in the step that was solved.
     void move_particles(const double time_step, const WallStep<dim> &wall_step);
+    /// After a step that was solved: what the fluid carries along of its past, structure and multipliers.
+    void advance_history(const double time_step);
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
     void take_mean_forces();
     /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.

@@ -73,6 +73,8 @@ namespace Lahar
       std::vector<SlidingContact<dim>> sliding;
       /// Of an exact yield stress, by cell, see ExactPlasticStress; empty where there are none yet.
       const std::vector<SymmetricTensor<2, dim>> &multipliers;
+      /// By cell, see FluidStructure::of_cells().
+      std::vector<double> structure;
     };
 
     /// Begin a step: velocities and pressures start from the old ones, prescribed velocities have their values at the end.
