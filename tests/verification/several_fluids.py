@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several fluids: layers rest with the exact pressure, in the plane and in space; waves of surface and interface have the
-period of linear theory; a heavy fluid sinks into a light one at the rate of linear theory; mud rests under water, and
-slides into it while each keeps its volume; a run that is resumed goes on bit for bit, two ranks compute what one does.
+period of linear theory; a heavy fluid sinks into a light one at the rate of linear theory; behind a lock both fluids run
+with the speed of an inviscid current; mud rests under water, and slides into it while each keeps its volume; a run that is resumed goes on bit for bit, two ranks compute what one does.
 
     several_fluids.py --lahar PROGRAM --output DIRECTORY [--cases NAME ...]
 """
@@ -11,10 +11,10 @@ import sys
 
 import numpy as np
 
-from verification import Check, read_run, run_check, volume_changes
+from verification import Check, fluid_fronts, read_run, run_check, volume_changes
 
 GRAVITY = 9.81
-names = ["layers", "surface_wave", "resumed"]
+names = ["layers", "surface_wave", "short_lock", "resumed"]
 if "--cases" in sys.argv:
     at = sys.argv.index("--cases")
     names = sys.argv[at + 1:]
@@ -109,6 +109,24 @@ def check_rayleigh_taylor(check):
     check_volumes(check, "heavy on light", run, ("light", "heavy"), 1e-4)
 
 
+def check_lock(check, name, times, symmetry, *settings):
+    """The fronts' mean speeds between two times, of the heavy fluid at the bottom and of the light one at the top, against
+    that of a current that keeps its energy in a tank of the same depth (Benjamin 1968), and against each other."""
+    directory = check.run("several_fluids/lock_exchange.prm", *settings)
+    time, fronts = fluid_fronts(directory)
+    begin, end = (int(np.argmin(abs(time - t))) for t in times)
+    heavy = (fronts[end, 0, 1] - fronts[begin, 0, 1]) / (time[end] - time[begin])
+    light = (fronts[begin, 1, 0] - fronts[end, 1, 0]) / (time[end] - time[begin])
+    check.near(f"{name}: mean speed of the fronts (m/s)", 0.5 * (heavy + light), 0.5, 0.05)
+    check.below(f"{name}: difference of the two over it", abs(heavy - light) / 0.5, symmetry, f"{heavy:.4f}, {light:.4f}, ")
+    check_volumes(check, name, read_run(directory), ("heavy", "light"), 1e-3)
+
+
+SHORT_LOCK = ["Mesh size=0.1", "Time step=0.05", "End time=3.5",
+              "Fluids/heavy/box/Corners=0, 0 : 2.5, 1", "Fluids/light/box/Corners=2.5, 0 : 5, 1",
+              "Boundaries/walls/polyline/Points=0, 0 : 5, 0 : 5, 1 : 0, 1 : 0, 0"]
+
+
 def check_heap(check):
     run = read_run(check.run("several_fluids/heap.prm"))
     mass = 1800. * 0.5 * 0.12 * 0.06 + 1000. * (0.025 - 0.0036)
@@ -164,7 +182,9 @@ def main():
     check = Check(__doc__)
     checks = {"layers": check_layers, "surface_wave": lambda c: check_wave(c, "surface_wave", 1.1882),
               "interface_wave": lambda c: check_wave(c, "interface_wave", 4.6934),
-              "rayleigh_taylor": check_rayleigh_taylor, "heap": check_heap, "slide": check_slide,
+              "rayleigh_taylor": check_rayleigh_taylor, "heap": check_heap,
+              "short_lock": lambda c: check_lock(c, "short lock", (1.5, 3.5), 0.05, *SHORT_LOCK),
+              "lock": lambda c: check_lock(c, "lock", (2., 5.), 0.05), "slide": check_slide,
               "resumed": check_resumed, "ranks": check_ranks}
     for name in names:
         checks[name](check)
