@@ -88,9 +88,27 @@ namespace Lahar
       return 1. / (any_wall ? rise.norm() : steepest);
     }
 
+    /// Whether the simplex lies in what a smooth surface bulges around: its corners have landed on it, and from each of them
+    /// a facet is in the way to the centroid. Its edges are chords.
+    template <int dim>
+    bool is_below_bulge(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double h,
+                        const ParticleCloud<dim> &cloud, const Walls<dim> &walls)
+    {
+      if (!std::all_of(simplex.begin(), simplex.end(),
+                       [&](const unsigned int i) { return cloud.in_contact(i); }))
+        return false;
+      const Point<dim> centre = centroid<dim>(corners);
+      return std::all_of(corners.begin(), corners.end(), [&](const Point<dim> &corner) {
+        const std::vector<unsigned int> between = walls.crossed(corner, centre, 0., 1e-3 * h);
+        return std::any_of(between.begin(), between.end(),
+                           [&](const unsigned int facet) { return walls.facets()[facet].lands; });
+      });
+    }
+
     /**
      * Whether an edge of the simplex passes through a wall. Particles of walls and solids lie on them; fluid in contact lies
-     * off them, on its side. An edge that goes in and out again where a surface is smooth is its chord: fluid, too.
+     * off them, on its side. An edge that goes in and out again where a surface is smooth is its chord: fluid, too, unless
+     * the whole simplex is below the bulge.
      *
      * @param only_without_particles look at walls without particles only.
      * @param uneven how deep, over h, an edge may pass below a wall that carries particles.
@@ -100,6 +118,8 @@ namespace Lahar
                       const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                       const bool only_without_particles = false, const double uneven = 1e-3)
     {
+      if (is_below_bulge<dim>(simplex, corners, h, cloud, walls))
+        return true;
       // Cells of the old domain in space may pass a little below uneven ground.
       const double aside = dim == 3 && only_without_particles ? 0.1 : 1e-2 * contact_offset;
       // Normals of facets without particles that an edge passes through, and those of them that are not close to their rim.

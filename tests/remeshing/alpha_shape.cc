@@ -314,6 +314,44 @@ void test_thin_wall()
   check("advected: no cell crosses a thin wall", mesh.volume(cloud) - expected, 1e-10);
 }
 
+/// Fluid that has landed on both sides of a ridge, or a valley, of facets at 23 degrees, and some above.
+void test_bend()
+{
+  for (const double slope : {-0.2, 0.2})
+  {
+    const auto at = [&](const double x, const double y) { return Point<3>(x, y, slope * std::abs(x)); };
+    const std::array<std::array<Point<3>, 3>, 4> facets = {{{{at(-1., -1.), at(0., -1.), at(0., 1.)}},
+                                                            {{at(-1., -1.), at(0., 1.), at(-1., 1.)}},
+                                                            {{at(0., -1.), at(1., -1.), at(1., 1.)}},
+                                                            {{at(0., -1.), at(1., 1.), at(0., 1.)}}}};
+    std::vector<WallFacet<3>> wall;
+    for (const auto &corners : facets)
+      wall.push_back({corners, true, 0, false, true});
+    const Walls<3> walls(wall);
+    ParticleCloud<3> cloud;
+    for (const Point<2> &p : {Point<2>(-0.6 * h, -0.5 * h), Point<2>(-0.6 * h, 0.5 * h),
+                              Point<2>(0.6 * h, 0.1 * h), Point<2>(0.1 * h, -0.5 * h)})
+    {
+      const unsigned int i       = cloud.append(at(p[0], p[1]) + Point<3>(0., 0., contact_offset * h),
+                                                ParticleKind::fluid, h);
+      cloud.contact_facets[i][0] = p[0] < 0. ? 0 : 2;
+    }
+    const unsigned int above = cloud.append({0.1 * h, 0.05 * h, h}, ParticleKind::fluid, h);
+    AlphaShape<3> rule;
+    parse(rule);
+    Simplex<3> flat = {{0, 1, 2, 3}};
+    if (!(signed_volume<3>(corners_of<3>(flat, cloud.position)) > 0.))
+      std::swap(flat[0], flat[1]);
+    const std::string name = slope < 0. ? "ridge" : "valley";
+    check(name + ": the cell between landed particles is fluid in a valley, none below a ridge",
+          rule.accepts_plain(flat, cloud, walls) == (slope > 0.));
+    Simplex<3> upper = {{0, 1, 2, above}};
+    if (!(signed_volume<3>(corners_of<3>(upper, cloud.position)) > 0.))
+      std::swap(upper[0], upper[1]);
+    check(name + ": a cell over chords is fluid", rule.accepts_plain(upper, cloud, walls));
+  }
+}
+
 void test_3d()
 {
   Random random;
@@ -348,6 +386,7 @@ int main()
   test_lattice<3>(5);
   test_rules();
   test_thin_wall();
+  test_bend();
   test_3d();
   return n_failed;
 }

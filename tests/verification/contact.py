@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact with walls: pools on both sides of a wall without thickness rest, with the force of the difference of their
-levels; nothing passes it in a splash; nothing gets into pillars, and mirror images feel the same force."""
+"""Contact with walls: pools on both sides of a wall without thickness, or a thin one, rest, with the force of the
+difference of their levels; nothing passes it in a splash; nothing gets into pillars, and mirror images feel the same force."""
 
 import numpy as np
 
@@ -13,13 +13,17 @@ PILLAR = np.array([[0.15, 0.03, 0.], [0.19, 0.07, 0.12]])  # its mirror image ha
 
 def check_partition(check):
     force = WEIGHT * 0.5 * (0.4**2 - 0.1**2)
-    for law in ("no slip", "free slip"):
-        run = read_run(check.run("contact/partition.prm", f"Boundaries/tank/Law={law}", f"Boundaries/partition/Law={law}"))
-        check.below(f"pools, {law}: force on the partition over the exact one less 1",
+    thin = ("Boundaries/partition/polyline/Points=0.5, 0 : 0.5, 0.6 : 0.505, 0.6 : 0.505, 0",
+            "Fluids/right/box/Corners=0.505, 0 : 1, 0.1")
+    for law, name, entries in (("no slip", "no slip", ()), ("free slip", "free slip", ()),
+                               ("no slip", "a wall of 0.2 mesh sizes", thin)):
+        run = read_run(check.run("contact/partition.prm", f"Boundaries/tank/Law={law}", f"Boundaries/partition/Law={law}",
+                                 *entries))
+        check.below(f"pools, {name}: force on the partition over the exact one less 1",
                     np.abs(run["partition force x (N)"] / force - 1.).max(), 1e-7)
-        check.below(f"pools, {law}: levels off (m)", max(np.abs(run["left level (m)"] - 0.4).max(),
-                                                        np.abs(run["right level (m)"] - 0.1).max()), 1e-9)
-        check.below(f"pools, {law}: kinetic energy (J)", run["Kinetic energy (J)"].max(), 1e-15)
+        check.below(f"pools, {name}: levels off (m)", max(np.abs(run["left level (m)"] - 0.4).max(),
+                                                         np.abs(run["right level (m)"] - 0.1).max()), 1e-9)
+        check.below(f"pools, {name}: kinetic energy (J)", run["Kinetic energy (J)"].max(), 1e-15)
 
 
 def check_splash(check):
@@ -56,4 +60,5 @@ def main():
     check.finish()
 
 
-run_check(main)
+if __name__ == "__main__":
+    run_check(main)
