@@ -214,11 +214,13 @@ namespace Lahar
     const ExactPlasticStress<dim> exact_plastic_stress(linearization.viscosity, linearization.plastic_weight);
     const PressureDivergence<dim> pressure_divergence;
     const FlatPressureDivergence<dim> flat_pressure_divergence;
+    const PrescribedPressure<dim> prescribed_pressure;
 
     CellSystem<dim> cell_system;
     AssertDimension(mesh.n_cells(), system.cells().size());
     system.set_zero();
-    auto face = mesh.boundary_faces().begin();
+    auto face     = mesh.boundary_faces().begin();
+    auto pressure = state.face_pressures.begin();
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
     {
       const FluidCell<dim> cell = make_cell(mesh, materials, state, c, linearization.motion);
@@ -246,8 +248,16 @@ namespace Lahar
 
       // Boundary faces come in the order of their cells.
       for (; face != mesh.boundary_faces().end() && face->cell <= c; ++face)
-        if (face->cell == c && face->free_surface)
-          stabilization->assemble_free_surface(cell, face->opposite, cell_system);
+      {
+        if (face->cell != c || !face->free_surface)
+          continue;
+        stabilization->assemble_free_surface(cell, face->opposite, cell_system);
+        const unsigned int number = face - mesh.boundary_faces().begin();
+        while (pressure != state.face_pressures.end() && pressure->face < number)
+          ++pressure;
+        if (pressure != state.face_pressures.end() && pressure->face == number)
+          prescribed_pressure.assemble(cell, corners, face->opposite, *pressure, cell_system);
+      }
 
       system.add(c, cell_system.matrix, cell_system.residual);
     }

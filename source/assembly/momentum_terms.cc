@@ -159,10 +159,53 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void PrescribedPressure<dim>::assemble(const FluidCell<dim> &cell,
+                                         const std::array<Point<dim>, dim + 1> &corners,
+                                         const unsigned int opposite, const FacePressure<dim> &pressure,
+                                         CellSystem<dim> &system) const
+  {
+    Assert(!cell.is_ring(), ExcMessage("Outflow is refused with rotational symmetry."));
+    // Area times n of the face is −dim V G_k, k the node opposite to it.
+    using S                  = CellSystem<dim>;
+    constexpr unsigned n     = dim + 1;
+    const auto &G            = cell.gradients();
+    const double area_factor = -double(dim) * cell.volume();
+    const Tensor<1, dim> &Gk = G[opposite];
+    std::array<double, n> p;
+    for (unsigned int J = 0; J < n; ++J)
+      p[J] = pressure(corners[J]);
+    for (unsigned int I = 0; I < n; ++I)
+    {
+      if (I == opposite)
+        continue;
+      double share = 0.; // ∫ N_I p over the face, divided by its area
+      for (unsigned int J = 0; J < n; ++J)
+        if (J != opposite)
+          share += cell.face_mass(I, J) * p[J];
+      for (unsigned int a = 0; a < dim; ++a)
+      {
+        system.residual[S::index(I, a)] += area_factor * share * Gk[a];
+        for (unsigned int J = 0; J < n; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+          {
+            double change = share * (G[J][b] * Gk[a] - Gk[b] * G[J][a]);
+            if (J != opposite && p[J] > 0.)
+              change += cell.face_mass(I, J) * pressure.gradient[b] * Gk[a];
+            system.matrix[S::index(I, a)][S::index(J, b)] += cell.motion() * area_factor * change;
+          }
+      }
+    }
+  }
+
+
+
   template struct Inertia<2>;
   template struct Inertia<3>;
   template struct BodyForce<2>;
   template struct BodyForce<3>;
   template class ViscousStress<2>;
   template class ViscousStress<3>;
+  template struct PrescribedPressure<2>;
+  template struct PrescribedPressure<3>;
 } // namespace Lahar

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/outlets.h>
+#include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/drop_particles.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -12,6 +14,12 @@ namespace Lahar
   {
     /// Behind an outlet fluid is dropped to this times its spacing.
     constexpr double depth = 5.;
+
+    /// Faces nearer to an outlet than this times their spacing are its own.
+    constexpr double reach = 2.;
+
+    /// Parts of gravity below this are none.
+    constexpr double rounding = 1e-6;
   } // namespace
 
 
@@ -24,7 +32,8 @@ namespace Lahar
     for (const double component : law.direction())
       given << (given.str().empty() ? "" : ", ") << component;
     const auto fail = [&](const std::string &allowed) {
-      throw InputError("Parameter '" + law.path() + "' is '" + given.str() + "'. Allowed: " + allowed + ".");
+      throw InputError("Parameter '" + law.path("Direction") + "' is '" + given.str() +
+                       "'. Allowed: " + allowed + ".");
     };
     if (law.direction().size() != dim)
       fail("a vector of " + std::to_string(dim) + " components");
@@ -42,7 +51,87 @@ namespace Lahar
         fail("a vector that leads through boundary '" + name + "', not along it");
       directions.push_back(along > 0. ? 1. : -1.);
       names.push_back(name);
+      laws.push_back(&law);
     }
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim> Outlets<dim>::tangential(const unsigned int facet, const Tensor<1, dim> &vector) const
+  {
+    return vector - (vector * surface.normal(facet)) * surface.normal(facet);
+  }
+
+
+
+  template <int dim>
+  void Outlets<dim>::check_levels(const Tensor<1, dim> &gravity, const unsigned int n_fluids) const
+  {
+    Tensor<1, dim> up;
+    up[dim - 1] = 1.;
+    for (unsigned int f = 0; f < laws.size(); ++f)
+    {
+      if (!laws[f]->has_level())
+        continue;
+      const auto fail = [&](const std::string &what, const std::string &allowed) {
+        throw InputError("Parameter '" + laws[f]->level_path() + "' gives a level behind boundary '" +
+                         names[f] + "', " + what + ". Allowed: " + allowed + ".");
+      };
+      if (n_fluids > 1)
+        fail("and the case has " + std::to_string(n_fluids) + " fluids",
+             "one fluid, whose density counts there");
+      const Tensor<1, dim> g = tangential(f, gravity), e = tangential(f, up);
+      if (!(g * e < -0.1 * gravity.norm() * e.norm()) || !(g * e < 0.))
+        fail("and gravity does not pull down along the boundary", "a boundary that stands");
+      if ((g - (g * e) / e.norm_square() * e).norm() > rounding * gravity.norm())
+        fail("and gravity pulls sideways along the boundary",
+             std::string("gravity whose part along the boundary goes with that of the axis ") +
+               "xyz"[dim - 1]);
+    }
+  }
+
+
+
+  template <int dim>
+  std::vector<FacePressure<dim>> Outlets<dim>::pressures(const FluidMesh<dim> &mesh,
+                                                         const ParticleCloud<dim> &cloud, const double time,
+                                                         const Tensor<1, dim> &weight) const
+  {
+    std::vector<FacePressure<dim>> result;
+    if (!any_level())
+      return result;
+    for (unsigned int number = 0; number < mesh.boundary_faces().size(); ++number)
+    {
+      const BoundaryFace &face = mesh.boundary_faces()[number];
+      if (!face.free_surface)
+        continue;
+      std::vector<unsigned int> corners;
+      Point<dim> centre;
+      double h = 0.;
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+        {
+          corners.push_back(mesh.particle_cells()[face.cell][c]);
+          centre += cloud.position[corners.back()] / dim;
+          h = std::max(h, cloud.spacing[corners.back()]);
+        }
+      for (const unsigned int f : surface.near(centre, reach * h))
+        if (laws[f]->has_level() && surface.is_above(f, centre, 0.5 * h) &&
+            std::all_of(corners.begin(), corners.end(), [&](const unsigned int i) {
+              return std::abs(surface.signed_distance(f, cloud.position[i])) < reach * h;
+            }))
+        {
+          // From a corner of the facet along its plane to the level.
+          const Tensor<1, dim> gradient = tangential(f, weight);
+          const Point<dim> &corner      = surface.facets()[f].corners[0];
+          const double way              = (laws[f]->level(time) - corner[dim - 1]) / gradient[dim - 1];
+          result.push_back(
+            {number, surface.facets()[f].boundary, -(gradient * (corner + way * gradient)), gradient});
+          break;
+        }
+    }
+    return result;
   }
 
 
@@ -60,6 +149,34 @@ namespace Lahar
           return f;
       }
     return numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  Outlets<dim>::forces(const std::vector<FacePressure<dim>> &pressures, const FluidMesh<dim> &mesh,
+                       const ParticleCloud<dim> &cloud, const unsigned int n_boundaries)
+  {
+    std::vector<Tensor<1, dim>> result(n_boundaries);
+    for (const FacePressure<dim> &pressure : pressures)
+    {
+      const BoundaryFace &face = mesh.boundary_faces()[pressure.face];
+      const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
+      if (!cloud.is_own(cell))
+        continue;
+      const auto corners = corners_of<dim>(cell, cloud.position);
+      const double V     = signed_volume<dim>(corners);
+      if (V == 0.)
+        continue;
+      double mean = 0.;
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+          mean += pressure(corners[c]) / dim;
+      // Area times n of the face is −dim V ∇N of the corner opposite to it.
+      result[pressure.boundary] -= mean * dim * V * shape_gradients<dim>(corners)[face.opposite];
+    }
+    return result;
   }
 
 

@@ -17,7 +17,7 @@ namespace Lahar
    *
    * A particle that boundaries share belongs to the first of them. Where a particle slides along facets of several
    * boundaries, each has the part of the reaction along its normal, and the first boundary of the case what is along
-   * the edge.
+   * the edge. An outlet with a level has the force of the fluid on what stands behind it.
    */
   template <int dim>
   class BoundaryForces : public Postprocessor<dim>
@@ -103,6 +103,8 @@ namespace Lahar
         continue; // it exerts none
       for (unsigned int d = 0; d < dim; ++d)
         forces[b][d] = components[dim * b + d];
+      if (snapshot.outlet_forces != nullptr && !snapshot.outlet_forces->empty())
+        forces[b] += (*snapshot.outlet_forces)[b];
       add_force_columns(statistics, snapshot, names[b], "force", forces[b]);
     }
   }

@@ -34,6 +34,8 @@ namespace Lahar
       boundary.check_start(run.start_time);
       if (const Inflow *inflow = boundary.inflow())
         inflow->check_times(run.start_time, run.end_time);
+      if (const Outflow *outflow = boundary.outflow())
+        outflow->check_times(run.start_time, run.end_time);
     }
     if (Symmetry::applies<dim>())
       check_symmetry(prm, structure);

@@ -27,6 +27,8 @@ namespace Lahar
       solids.accept(solid_state);
     }
     archive &time &counters &account.volume &account.fluids &account.momentum;
+    for (Tensor<1, dim> &force : outlet_forces)
+      archive &force;
     archive &*step_control &output;
   }
 

@@ -55,6 +55,9 @@ namespace Lahar
     inlets.start(input.geometry.inflows(), walls, particles);
     outlets = input.geometry.outlets();
     outlets.check_initial(particles);
+    outlets.check_levels(input.gravity, materials.n_fluids());
+    if (outlets.any_level())
+      outlet_forces.resize(input.geometry.all_boundaries().size());
     input.domain_limit.check_initial(prm, particles);
     FluidStructure<dim>::prepare(materials, particles);
     migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());

@@ -30,8 +30,8 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh, materials,      input.gravity, solids,
-            walls,     migration,  output.means(), time,          &multipliers.table()};
+    return {particles, fluid_mesh,     materials, input.gravity,        solids,        walls,
+            migration, output.means(), time,      &multipliers.table(), &outlet_forces};
   }
 
 

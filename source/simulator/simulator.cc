@@ -137,7 +137,7 @@ namespace Lahar
           {fluid_mesh, particles, solids, migration, materials, input.gravity, time_integration,
            time + time_step, constraints(*wall_step), remeshing.arrives,
            SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws()),
-           multipliers.values(), FluidStructure<dim>::of_cells(fluid_mesh, materials, particles)});
+           multipliers.values(), FluidStructure<dim>::of_cells(fluid_mesh, materials, particles), outlets});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -277,11 +277,13 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Update");
     const std::vector<Point<dim>> old_position = particles.position;
+    const std::vector<FacePressure<dim>> pressures =
+      outlets.pressures(fluid_mesh, particles, time + time_step, materials.largest_density() * input.gravity);
     problem.accept(particles, solids);
     advance_history(time_step);
     wall_step.carry_particles(old_position, particles);
     inlets.carry(old_position, particles);
-    take_mean_forces();
+    take_mean_forces(pressures);
     if (input.geometry.has_fluid())
     {
       account.volume.solved(fluid_volume(), inlets.volume());
@@ -330,7 +332,7 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::take_mean_forces()
+  void Simulator<dim>::take_mean_forces(const std::vector<FacePressure<dim>> &pressures)
   {
     const std::vector<Tensor<1, dim>> reactions = problem.reactions();
     std::vector<Tensor<1, dim>> forces(particles.size());
@@ -338,6 +340,11 @@ namespace Lahar
       forces[fluid_mesh.particle(v)] = reactions[v];
     for (unsigned int i = 0; i < particles.size(); ++i)
       particles.reaction[i] = time_integration.mean_force(forces[i], particles.reaction[i]);
+    const std::vector<Tensor<1, dim>> on_outlets = Outlets<dim>::forces(pressures, fluid_mesh, particles,
+                                                                        outlet_forces.size());
+    for (unsigned int b = 0; b < outlet_forces.size(); ++b)
+      outlet_forces[b] = time_integration.mean_force(Utilities::MPI::sum(on_outlets[b], communicator()),
+                                                     outlet_forces[b]);
   }
 
 

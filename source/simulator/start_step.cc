@@ -33,6 +33,8 @@ namespace Lahar
       impulsive.push_back(start.arrives[numbering.region_vertex(v).value()] ||
                           constraints[numbering.node(v)].n_fixed == dim);
     fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
+    fluid.state.face_pressures = start.outlets.pressures(*mesh, start.cloud, start.end_time,
+                                                         materials.largest_density() * start.gravity);
     friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
                         start.time_integration.length(), numbering, communicator());
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));

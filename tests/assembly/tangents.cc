@@ -402,6 +402,38 @@ void check_exact()
   }
 }
 
+/// A pressure that is given on a face: its Jacobian, and that all faces together press with −V ∇p.
+template <int dim>
+void check_prescribed_pressure(const FluidLaw &law)
+{
+  Random random;
+  double error = 0., sum_error = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    Example<dim> example(random, law, sample % 2);
+    FacePressure<dim> pressure;
+    pressure.at_origin = 8.;
+    pressure.gradient  = random.vector<dim>();
+    Tensor<1, dim> force;
+    for (unsigned int opposite = 0; opposite <= dim; ++opposite)
+    {
+      const auto assemble = [&](const auto &cell, auto &system) {
+        SimplexCorners<dim> corners;
+        std::copy_n(example.state.position.begin(), dim + 1, corners.begin());
+        PrescribedPressure<dim>().assemble(cell, corners, opposite, pressure, system);
+      };
+      error               = std::max(error, example.jacobian_error(assemble));
+      const auto residual = example.system(assemble).residual;
+      for (unsigned int I = 0; I <= dim; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+          force[a] += residual[CellSystem<dim>::index(I, a)];
+    }
+    sum_error = std::max(sum_error, (force - example.cell().volume() * pressure.gradient).norm());
+  }
+  check(name_of<dim>() + " Jacobian: prescribed pressure on a face", error, 1e-6);
+  check(name_of<dim>() + " prescribed pressure on all faces", sum_error, 1e-12);
+}
+
 template <int dim>
 void test()
 {
@@ -418,6 +450,7 @@ void test()
                         [opposite](const auto &cell, auto &system) {
                           FICFreeSurface<dim>().assemble(cell, opposite, system);
                         });
+  check_prescribed_pressure<dim>(*newtonian);
   check_primal_dual<dim, ViscousStress<dim>>("", *bingham);
   check_grains<dim>();
   check_exact<dim>();

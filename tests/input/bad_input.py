@@ -22,6 +22,10 @@ def test_inflows(model):
     wrong(inflow + "Profile", "y; y", "coordinates", more=[*model("Law", "inflow"), *set_entry(inflow + "Velocity", "1")])
     wrong(outflow + "Direction", "", "side", more=model("Law", "outflow"))
     wrong(outflow + "Direction", "1, 0, 0", "2 components", more=model("Law", "outflow"))
+    out = [*model("Law", "outflow"), *set_entry(outflow + "Direction", "1, 0")]
+    wrong(outflow + "Level", "x", "time t", more=out)
+    wrong(outflow + "Level", "0.1; 0.2", "time t", more=out)
+    wrong(outflow + "Level", "0.1", "both are given", more=[*out, *set_entry(outflow + "Level table", "level.csv")])
     wrong(WALLS + "Motion", "translation", "fixed", more=[*model("Law", "inflow"), *set_entry(inflow + "Velocity", "1")])
 
     def inlet(points, entry="Velocity = 1"):
@@ -50,6 +54,20 @@ def test_inflows(model):
     refused("an outflow with fluid behind it", ["'weir'", "behind it", "llowed"],
             text=case(weir=shape("polyline", "Points = 0.1, 0 : 0.1, 0.3") + "set Law = outflow\n" +
                       section("outflow", "set Direction = 1, 0")))
+
+
+    def weir(points, *entries):
+        return case(weir=shape("polyline", "Points = " + points) + "set Law = outflow\n" +
+                    section("outflow", "\n".join(("set Direction = 1, 0", *entries))))
+
+    upright = "0.3, 0 : 0.3, 0.3"
+    refused("a level that is not finite", ["'Boundaries/weir/outflow/Level'", "1 / t", "llowed", "finite"],
+            text=weir(upright, "set Level = 1 / t"))
+    refused("levels that go back in time", ["level.csv:3:", "'0.5, 2'", "after", "llowed"],
+            text=weir(upright, "set Level table = level.csv"),
+            prepare=lambda directory: write(directory, "level.csv", "0, 1\n1, 2\n0.5, 2\n"))
+    refused("a level at an outflow that lies", ["'Boundaries/weir/outflow/Level'", "'weir'", "llowed", "stands"],
+            text=weir("0.3, 0.1 : 0.5, 0.1001", "set Level = 0.1").replace("Direction = 1, 0", "Direction = 0, 1"))
 
 
 def test_rotational_symmetry():

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fluid that comes in and goes out: the volume of a jet in free space, of a tank that fills by a hydrograph and of a jet in
 space is what has come in; flow between two walls and a film on a slope keep their profiles, and as much goes out as comes
-in; a run that is resumed goes on bit for bit, and two ranks compute what one does."""
+in, also against a level; a run that is resumed goes on bit for bit, and two ranks compute what one does."""
 
 import numpy as np
 
@@ -99,6 +99,51 @@ def check_film(check):
     check.below("film: velocity, over that of the surface", float(np.sqrt((error**2).mean())) / (3.35522 * 0.25), 0.02)
 
 
+def depths(mesh, places):
+    """Height of the surface at each place x (m)."""
+    x, y = mesh.points[:, 0], mesh.points[:, 1]
+    return np.array([y[np.abs(x - place) < 0.02].max() for place in places])
+
+
+def check_level(check):
+    """A uniform channel flow against its own level stays as it is; a level that rises sends a wave up the channel; a film that
+    leaves against its own depth is hardly drawn down."""
+    directory = check.run("inflow/level.prm", "End time=1")
+    statistics = read_run(directory)
+    check_volume(check, "level", statistics, 0.1 * statistics["Time (s)"])
+    check.below("level: depth along the channel, over that given", np.abs(depths(last_mesh(directory), np.arange(0.05, 1., 0.1)) / 0.2
+                                                                      - 1.).max(), 1e-3)
+    check.near("level: what goes out, over what comes in", statistics["Outflow volume (m^dim)"][-1] / 0.1, 1., 0.03)
+    check.near("level: force on what stands behind, over rho g H²/2", statistics["downstream force x (N)"][-1] / 196.2, 1., 1e-3)
+
+    table = (check.output / "level.csv").resolve()
+    table.write_text("# t (s), level (m)\n0, 0.2\n1, 0.22\n")
+    directory = check.run("inflow/level.prm", "Boundaries/downstream/outflow/Level=",
+                          f"Boundaries/downstream/outflow/Level table={table}", "End time=0.75")
+    statistics = read_run(directory)
+    check_volume(check, "rising level", statistics, 0.1 * statistics["Time (s)"])
+    # The wave goes up the channel with sqrt(g H) − U = 0.9 m/s.
+    near, far = depths(last_mesh(directory), (0.95, 0.15))
+    check.near("rising level: depth at the outlet (m)", near, 0.2 + 0.02 * (0.75 - 0.05 / 0.9), 0.01)
+    check.near("rising level: depth where the wave has not come yet (m)", far, 0.2, 0.01)
+
+    directory = check.run("inflow/film.prm", "Boundaries/downstream/outflow/Level=0.05", "End time=0.75")
+    x, y = (last_mesh(directory).points[:, d] for d in (0, 1))
+    thickness = np.array([y[np.abs(x - place) < 0.011].max() for place in np.arange(0.05, 0.41, 0.05)])
+    check.below("film against its depth: thickness along the slope, over that of the film", np.abs(thickness / 0.05 - 1.).max(), 0.01)
+
+
+def check_resumed_level(check):
+    """A run against a rising level in two parts, with steps of 1/256 s, which add up to the end of the first part exactly."""
+    short = ["Boundaries/downstream/outflow/Level=0.2 + 0.02 * t", "Checkpoint/Steps between=10", "Mesh size=0.04",
+             "Time step=0.00390625"]
+    whole = read_run(check.run("inflow/level.prm", *short, "End time=0.3125"))
+    check.run("inflow/level.prm", *short, "End time=0.15625")
+    resumed = read_run(check.run("inflow/level.prm", *short, "End time=0.3125", resume=True))
+    for name in ("Fluid volume (m^dim)", "Outflow volume (m^dim)", "Kinetic energy (J)", "downstream force x (N)"):
+        check.below(f"resumed against a level: '{name}'", np.abs(whole[name] - resumed[name]).max(), 0.)
+
+
 def check_space(check):
     """A jet in space, and what comes in through a part of a wall."""
     statistics = read_run(check.run("inflow/jet_3d.prm", "Nonlinear solver/Tolerance=1e-8"))
@@ -132,10 +177,12 @@ def check_ranks(check):
     """Two ranks and one, film and tanks, with tight tolerances and the direct solver: a held vertex keeps a velocity that is
     not converged, on which iterative solvers agree to their tolerance only."""
     tight = ["Nonlinear solver/Tolerance=1e-9", "Linear solver/Type=direct", "End time=0.3"]
-    for name, columns in (("film", ["Outflow volume (m^dim)"]), ("filling", []), ("tank_3d", [])):
+    rising = ["Boundaries/downstream/outflow/Level=0.2 + 0.02 * t", "Mesh size=0.04", "Time step=0.00390625", "End time=0.125"]
+    for name, columns, settings in (("film", ["Outflow volume (m^dim)"], []), ("filling", [], []), ("tank_3d", [], []),
+                                    ("level", ["Outflow volume (m^dim)", "downstream force x (N)"], rising)):
         runs = []
         for check.n_ranks in (1, 2):
-            runs.append(read_run(check.run(f"inflow/{name}.prm", *tight)))
+            runs.append(read_run(check.run(f"inflow/{name}.prm", *tight, *settings)))
         for column in ["Fluid volume (m^dim)", "Inflow volume (m^dim)", "Kinetic energy (J)", *columns]:
             check.below(f"two ranks, {name}: '{column}'",
                         np.abs(runs[0][column] - runs[1][column]).max() / np.abs(runs[0][column]).max(), 1e-8)
@@ -150,6 +197,8 @@ def main():
         check_channel(check)
         check_filling(check)
         check_film(check)
+        check_level(check)
+        check_resumed_level(check)
         check_space(check)
         check_resumed(check)
     check.finish()

@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <lahar/assembly/face_pressure.h>
 #include <lahar/geometry/simplex_geometry.h>
 
 #include <vector>
@@ -38,6 +39,7 @@ namespace Lahar
     std::vector<SymmetricTensor<2, dim>> plastic_dual;
     std::vector<double> structure; ///< λ by cell, see Thixotropy; empty if no fluid is thixotropic
     std::vector<bool> sliver, left_out;
+    std::vector<FacePressure<dim>> face_pressures; ///< ascending by face
 
     /// Where the yield stress is exact, by cell: Λ_k, see ExactPlasticStress; whether the fluid stands, and π then. Else
     /// empty.

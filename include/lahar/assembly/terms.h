@@ -3,6 +3,7 @@
 #ifndef lahar_assembly_terms_h
 #define lahar_assembly_terms_h
 
+#include <lahar/assembly/face_pressure.h>
 #include <lahar/assembly/fluid_cell.h>
 
 namespace Lahar
@@ -108,6 +109,19 @@ namespace Lahar
   {
     /// @param opposite the cell's node that the face does not have.
     void assemble(const FluidCell<dim> &cell, const unsigned int opposite, CellSystem<dim> &system) const;
+  };
+
+  /**
+   * Traction −p n on a face, p linear on it between its corners: R_I += ∫_Γ N_I p n. p and n are those of the face where
+   * it is at the end of the step.
+   */
+  template <int dim>
+  struct PrescribedPressure
+  {
+    /// @param corners of the cell, m. @param opposite the cell's node that the face does not have.
+    void assemble(const FluidCell<dim> &cell, const std::array<Point<dim>, dim + 1> &corners,
+                  const unsigned int opposite, const FacePressure<dim> &pressure,
+                  CellSystem<dim> &system) const;
   };
 
   /**

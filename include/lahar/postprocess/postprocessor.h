@@ -37,6 +37,8 @@ namespace Lahar
     TimeMeans &means; ///< since the last snapshot
     double time                       = 0.;
     const CellTable<dim> *multipliers = nullptr; ///< Λ of an exact yield stress, see PlasticMultipliers
+    /// By boundary: mean force of the fluid on what stands behind an outlet, N; empty where nothing does.
+    const std::vector<Tensor<1, dim>> *outlet_forces = nullptr;
 
     /// The law of a cell of the mesh.
     const FluidLaw &law(const unsigned int cell) const

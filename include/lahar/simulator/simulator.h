@@ -132,7 +132,7 @@ namespace Lahar
     /// After a step that was solved: what the fluid carries along of its past, structure and multipliers.
     void advance_history(const double time_step);
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().
-    void take_mean_forces();
+    void take_mean_forces(const std::vector<FacePressure<dim>> &pressures);
     /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
     void stop_at_collision(const std::vector<Point<dim>> &old_position, const WallStep<dim> &wall_step);
     /// The rigid walls and the solids' contours.
@@ -184,6 +184,7 @@ namespace Lahar
     Walls<dim> walls;
     Inlets<dim> inlets;
     Outlets<dim> outlets;
+    std::vector<Tensor<1, dim>> outlet_forces; ///< mean forces on what stands behind them, by boundary, N
     FluidMesh<dim> fluid_mesh;
     typename Remesher<dim>::Report remeshing; ///< the last one
     PlasticMultipliers<dim> multipliers;      ///< where a yield stress is exact

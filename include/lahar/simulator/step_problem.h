@@ -8,6 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <lahar/assembly/fluid_assembler.h>
+#include <lahar/boundary/outlets.h>
 #include <lahar/linear/linear_solver.h>
 #include <lahar/linear/numbering.h>
 #include <lahar/remeshing/migration.h>
@@ -75,6 +76,7 @@ namespace Lahar
       const std::vector<SymmetricTensor<2, dim>> &multipliers;
       /// By cell, see FluidStructure::of_cells().
       std::vector<double> structure;
+      const Outlets<dim> &outlets;
     };
 
     /// Begin a step: velocities and pressures start from the old ones, prescribed velocities have their values at the end.
