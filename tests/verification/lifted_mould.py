@@ -22,11 +22,13 @@ if "--cases" in sys.argv:
 
 
 def spread(statistics, time):
-    """The diameter; the front flickers by a part of the mesh size: the mean of some time before."""
+    """The diameter, in space the mean of four directions; the front flickers by a part of the mesh size: the mean of some time
+    before."""
     before = np.linspace(0.97 * time, time, 20)
-    name = "spread (m)" if "spread (m)" in statistics else "front (m)"
-    factor = 1. if name == "spread (m)" else 2.
-    return factor * float(np.mean([at_time(statistics, name, instant) for instant in before]))
+    in_space = [f"spread{direction} (m)" for direction in ("", " 45", " 90", " 135")]
+    columns = in_space if in_space[0] in statistics else ["front (m)"]
+    factor = 1. if columns is in_space else 2.
+    return factor * float(np.mean([at_time(statistics, name, instant) for name in columns for instant in before]))
 
 
 def check_cone(check, name, prm, instant_prm, end, *settings, slower=True, tolerance=0.02):
@@ -100,7 +102,8 @@ def main():
     if "film" in names:
         check_film(check)
     if "space" in names:
-        check_cone(check, "in space", "mini_cone_lifted_3d.prm", "mini_cone.prm", 3., "Mesh size=0.006", tolerance=0.03)
+        # Directions differ by 1.9 mesh sizes here: 1.5 in the mean of four are 4.5 %.
+        check_cone(check, "in space", "mini_cone_lifted_3d.prm", "mini_cone.prm", 3., "Mesh size=0.006", tolerance=1.5 * 0.006 / 0.2)
     check.finish()
 
 
