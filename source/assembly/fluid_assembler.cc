@@ -256,7 +256,8 @@ namespace Lahar
         while (pressure != state.face_pressures.end() && pressure->face < number)
           ++pressure;
         if (pressure != state.face_pressures.end() && pressure->face == number)
-          prescribed_pressure.assemble(cell, corners, face->opposite, *pressure, cell_system);
+          prescribed_pressure.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
+                                       face->opposite, *pressure, cell_system);
       }
 
       system.add(c, cell_system.matrix, cell_system.residual);
