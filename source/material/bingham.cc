@@ -23,6 +23,7 @@ namespace Lahar
     mu = prm.get_positive("Plastic viscosity", true);
     parse_yield_stress(prm);
     parse_yield(prm);
+    parse_thixotropy(prm);
   }
 
 

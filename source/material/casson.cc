@@ -26,6 +26,7 @@ namespace Lahar
     mu = prm.get_positive("Casson viscosity", true);
     parse_yield_stress(prm);
     parse_yield(prm);
+    parse_thixotropy(prm);
     mixed_part = RegularizedPower(2. * std::sqrt(tau_0 * mu), -0.5,
                                   RegularizedPower::parse_smallest_rate(prm));
   }

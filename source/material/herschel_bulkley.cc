@@ -27,6 +27,7 @@ namespace Lahar
     viscosity = RegularizedPower(consistency, index - 1., RegularizedPower::parse_smallest_rate(prm));
     parse_yield_stress(prm);
     parse_yield(prm);
+    parse_thixotropy(prm);
   }
 
 

@@ -25,6 +25,7 @@ namespace Lahar
   void TableLaw::parse_parameters(Parameters &prm)
   {
     FluidLaw::parse_parameters(prm);
+    parse_yield(prm);
     if (prm.get("File").empty())
       prm.throw_wrong_value("File", "the name of a text file of strain rates and stresses");
 
@@ -42,7 +43,7 @@ namespace Lahar
 
     const bool has_rest = rows[0][0] == 0.;
     tau_0               = has_rest ? rows[0][1] : 0.;
-    parse_yield(prm);
+    parse_thixotropy(prm);
     std::vector<double> x, y;
     for (unsigned int i = has_rest; i < rows.size(); ++i)
     {

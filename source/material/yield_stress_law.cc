@@ -63,6 +63,12 @@ namespace Lahar
       r = of_law;
     else if (prm.get("Yield") != "Papanastasiou")
       prm.throw_wrong_value("Yield", "Papanastasiou|exact");
+  }
+
+
+
+  void YieldStressLaw::parse_thixotropy(const Parameters &prm)
+  {
     structure_law.parse_parameters(prm, tau_0 > 0.);
   }
 

@@ -47,8 +47,10 @@ namespace Lahar
 
     /// Read what declare_regularization() declares. @throws InputError
     void parse_regularization(const Parameters &prm);
-    /// Read what declare_yield() declares, when #tau_0 is known. @throws InputError
+    /// Read what declare_yield() declares but for Thixotropy. @throws InputError
     void parse_yield(const Parameters &prm);
+    /// Read Thixotropy, when #tau_0 is known. @throws InputError
+    void parse_thixotropy(const Parameters &prm);
 
     double tau_0    = 0.; ///< Pa
     double friction = 0.; ///< μ_s
