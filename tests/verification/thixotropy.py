@@ -15,7 +15,7 @@ from verification import Check, last_mesh, read_run, run_check
 INNER, OUTER, TURNING = 0.055, 0.1, 4.  # radii in m, rad/s, as in couette.prm
 RATE = 2. * TURNING * INNER**2 * OUTER**2 / (OUTER**2 - INNER**2)  # of a Newtonian fluid times r², m²/s
 TIME = 0.05  # T
-names = ["rest", "slump"]
+names = ["rest", "slump", "transient", "steady"]
 if "--cases" in sys.argv:
     at = sys.argv.index("--cases")
     names = sys.argv[at + 1:]
