@@ -382,7 +382,7 @@ namespace Lahar
       }
       cloud.kind[i]     = ParticleKind::fluid;
       cloud.part[i]     = fluid_set(from.source.fluid);
-      cloud.reaction[i] = Tensor<1, dim>();
+      cloud.reaction[n] = std::exchange(cloud.reaction[i], Tensor<1, dim>());
       if (faces_of[i].empty())
         cloud.owed_volume[i] -= from.area[k] * cloud.spacing[i];
       else

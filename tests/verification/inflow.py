@@ -116,6 +116,9 @@ def check_level(check):
     check.near("level: what goes out, over what comes in", statistics["Outflow volume (m^dim)"][-1] / 0.1, 1., 0.03)
     check.near("level: force on what stands behind, over rho g H²/2", statistics["downstream force x (N)"][-1] / 196.2, 1., 1e-3)
 
+    # Nothing is lost of the force where particles of the inflow are renewed.
+    check.below("level: force on the inflow, over rho g H²/2", np.abs(statistics["upstream force x (N)"] / -196.2 - 1.).max(), 1e-6)
+
     table = (check.output / "level.csv").resolve()
     table.write_text("# t (s), level (m)\n0, 0.2\n1, 0.22\n")
     directory = check.run("inflow/level.prm", "Boundaries/downstream/outflow/Level=",
