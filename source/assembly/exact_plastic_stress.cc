@@ -37,7 +37,7 @@ namespace Lahar
   {
     const SymmetricTensor<2, dim> rate = cell.plastic_rate();
     const double strain_rate           = cell.plastic_strain_rate();
-    const double viscosity             = cell.yield_stress().value * cell.law().plastic_part(strain_rate).value;
+    const double viscosity = cell.yield_stress().value * cell.law().plastic_part(strain_rate).value;
     assemble_stress(cell, SymmetricTensor<2, dim>(2. * viscosity * rate),
                     StressTangent<dim>{viscosity, 1., rate, rank_one_part(cell, rate, strain_rate)}, system);
   }

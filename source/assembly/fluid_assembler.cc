@@ -87,10 +87,9 @@ namespace Lahar
       const FluidLaw &law = materials.law(mesh.fluid(c));
       const CellFlow<dim> cell(state.shape_of(c, mesh.cells()[c]), mesh.cells()[c], state.velocity,
                                state.pressure);
-      const double edge    = cell.edge();
-      const double mu_eff  = law.effective_viscosity(cell.strain_rate(), cell.confining_pressure(),
-                                                    state.structure_of(c))
-                              .value;
+      const double edge = cell.edge();
+      const double mu_eff =
+        law.effective_viscosity(cell.strain_rate(), cell.confining_pressure(), state.structure_of(c)).value;
       const double mu      = std::min(mu_eff, viscosity_limit);
       const double inertia = 2. * law.density() / state.time_step;
       double speed         = 0.;
@@ -256,8 +255,8 @@ namespace Lahar
         while (pressure != state.face_pressures.end() && pressure->face < number)
           ++pressure;
         if (pressure != state.face_pressures.end() && pressure->face == number)
-          prescribed_pressure.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
-                                       face->opposite, *pressure, cell_system);
+          prescribed_pressure.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position), face->opposite,
+                                       *pressure, cell_system);
       }
 
       system.add(c, cell_system.matrix, cell_system.residual);

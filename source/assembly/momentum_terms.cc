@@ -130,12 +130,12 @@ namespace Lahar
   template <int dim>
   void ViscousStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    using S              = CellSystem<dim>;
-    constexpr unsigned n = dim + 1;
-    const FluidLaw::Value viscosity =
-      cell.law().has_exact_yield_stress()
-        ? cell.law().viscous_part(cell.strain_rate(), cell.confining_pressure())
-        : cell.effective_viscosity();
+    using S                              = CellSystem<dim>;
+    constexpr unsigned n                 = dim + 1;
+    const FluidLaw::Value viscosity      = cell.law().has_exact_yield_stress()
+                                             ? cell.law().viscous_part(cell.strain_rate(),
+                                                                       cell.confining_pressure())
+                                             : cell.effective_viscosity();
     const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator();
     const StressTangent<dim> tangent = viscous_tangent(cell, viscosity.value, linearization, plastic_weight);
 

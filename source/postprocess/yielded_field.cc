@@ -37,11 +37,11 @@ namespace Lahar
       Vector<double> values(snapshot.mesh.n_cells());
       const std::vector<double> structure = FluidStructure<dim>::of_cells(snapshot.mesh, snapshot.materials,
                                                                           snapshot.cloud);
-      const auto &cells = snapshot.mesh.particle_cells();
+      const auto &cells                   = snapshot.mesh.particle_cells();
       for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
         const FluidLaw &law = snapshot.law(c);
         values[c]           = law.is_yielded(cell.strain_rate(), cell.confining_pressure(),
-                                  structure.empty() ? 0. : structure[c]);
+                                   structure.empty() ? 0. : structure[c]);
         const auto *value   = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
                                 ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
                                 : nullptr;
