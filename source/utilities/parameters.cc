@@ -72,10 +72,10 @@ namespace Lahar
   void Parameters::check_renamed(const std::vector<Assignment> &assignments,
                                  const std::map<std::string, std::string> &known) const
   {
-    constexpr unsigned int most_said = 6;
+    constexpr unsigned int most_said = 4;
     std::string message;
     std::set<std::string> said;
-    // A subsection 'Fluid' of today's form is a slip of the pen, for which the nearest entry is named.
+    // A subsection 'Fluid' of today's form is a slip of the pen, for which the nearest name is told.
     const bool is_slip =
       std::any_of(assignments.begin(), assignments.end(), [&](const Assignment &assignment) {
         const std::string path = assignment.path();

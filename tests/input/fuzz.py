@@ -73,7 +73,7 @@ def find_cases():
     for path in sorted([*ROOT.glob("prm/**/*.prm"), *ROOT.glob("tests/rough/*.prm")]):
         text = path.read_bytes()
         files = {name.decode(): (path.parent / name.decode()).read_bytes()
-                 for name in re.findall(rb"= *(\S+\.(?:msh|asc|csv))", text)}
+                 for name in re.findall(rb"= *(\S+\.(?:msh|asc|csv|stl|off))", text)}
         cases.append(Case(str(path.relative_to(ROOT)), dict({"case.prm": text}, **files)))
     # The column lies in the plane, the basin in space; the first attempt of coarsen() works with these sizes.
     for pattern, dimension, size, floor in (("column*", "2", "0.02", "0, 0 : 1, 0"),

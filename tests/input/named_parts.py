@@ -103,9 +103,9 @@ def test_old_entries():
         refused("the law that says what %s were" % old, ["/Law = %s'" % law], *set_entry("Geometry/" + old, "0, 0 : 1, 0"))
 
     # A slip of the pen in today's form is none of them.
-    refused("a subsection 'Fluid' of today's form", ["case.prm:", "there is no entry 'Fluid/fluid/Shape'", "'Fluids/fluid/Shape'"],
+    refused("a subsection 'Fluid' of today's form", ["case.prm:", "there is no subsection 'Fluid'", "'Fluids'", "llowed"],
             text=GOOD.replace("subsection Fluids", "subsection Fluid"))
-    refused("many old entries", ["There are 2 more such entries", "convert-case"], text=TOP + section("Fluid", section(
+    refused("many old entries", ["There are 4 more such entries", "convert-case"], text=TOP + section("Fluid", section(
         "Bingham", "".join("set %s = 1\n" % name for name in ("Density", "Yield stress", "Plastic viscosity", "Yield",
                                                               "Bulk modulus", "Regularization", "A", "B")))))
 
