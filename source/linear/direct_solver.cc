@@ -11,6 +11,8 @@
 #include <lahar/utilities/factory.h>
 #include <lahar/utilities/process_start.h>
 
+#include <stdexcept>
+
 namespace Lahar
 {
   namespace
@@ -72,8 +74,7 @@ namespace Lahar
     list.sublist("mumps").set("ICNTL(7)", 2);   // ordering by approximate minimum fill
     list.sublist("mumps").set("ICNTL(14)", 60); // working space in reserve, per cent
     solver->SetParameters(list);
-    if (solver->SymbolicFactorization() != 0)
-      throw RunError("The symbolic factorisation (" + package + ") failed" + reason() + ".");
+    check(solver->SymbolicFactorization(), "The symbolic factorisation (" + package + ") failed");
     pattern = new_pattern;
   }
 
@@ -82,26 +83,33 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::Factorization::factorize()
   {
-    if (solver->NumericFactorization() != 0)
-      throw RunError("The factorisation of the linear system failed" + reason() + ".");
+    check(solver->NumericFactorization(), "The factorisation of the linear system failed");
   }
 
 
 
   template <int dim>
-  std::string DirectSolver<dim>::Factorization::reason() const
+  void DirectSolver<dim>::Factorization::check(const int status, const std::string &what) const
   {
     auto *mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
-    if (mumps == nullptr)
-      return ": the matrix is singular";
+    int error   = 0;
+    if (mumps != nullptr)
+    {
+      // Small systems are not for all ranks, but always for the first one.
+      if (matrix->Comm().MyPID() == 0)
+        error = mumps->GetINFOG()[0];
+      matrix->Comm().Broadcast(&error, 1, 0);
+    }
+    if (status == 0 && error >= 0)
+      return;
     // Of the users' guide's list.
     constexpr int no_integers = -7, numerically_singular = -10, no_workspace = -13;
-    const int error = mumps->GetINFOG()[0];
     if (error == no_integers || error == no_workspace)
-      return ": there is not enough memory" + address_space_limit() +
-             ", 'Linear solver/Type = iterative' needs less";
-    return error == numerically_singular ? ": the matrix is singular"
-                                         : " with MUMPS' error " + std::to_string(error);
+      throw std::runtime_error(what + ": there is not enough memory" + address_space_limit() +
+                               ", 'Linear solver/Type = iterative' needs less.");
+    if (mumps == nullptr || error == numerically_singular)
+      throw RunError(what + ": the matrix is singular.");
+    throw RunError(what + " with MUMPS' error " + std::to_string(error) + ".");
   }
 
 
@@ -109,8 +117,7 @@ namespace Lahar
   template <int dim>
   void DirectSolver<dim>::Factorization::apply()
   {
-    if (solver->Solve() != 0)
-      throw RunError("The solution with the factorised linear system failed.");
+    check(solver->Solve(), "The solution with the factorised linear system failed");
   }
 
 

@@ -261,7 +261,21 @@ def full(parent):
             check_log("...", directory, "Cannot write", "File too large")
 
 
+def lacks_memory(parent):
+    """A factorisation without memory, of which no shorter step needs less, ends the run."""
+    directory = new_case(parent, "lacks-memory", CASE.replace("0.02", "0.006"))
+    attempt = start(directory, 1)
+    wait_for(attempt, lambda: n_rows(directory) >= 1)
+    with open("/proc/%d/statm" % attempt.pids()[0]) as file:
+        used = int(file.read().split()[0]) * resource.getpagesize()
+    resource.prlimit(attempt.pids()[0], resource.RLIMIT_AS, (used, used))
+    text = end_of(attempt, "a run without memory", 1, "lahar: the run failed. ", "not enough memory")
+    check("... repeats no step", "repeated" not in text, text)
+    check_log("...", directory, "not enough memory")
+
+
 def alone(parent):
+    lacks_memory(parent)
     directory = new_case(parent, "alone", CASE.replace("0.02", "0.006"))
     attempt = start(directory, 2, "--set", "Checkpoint/Steps between=1")
     wait_for(attempt, lambda: n_rows(directory) >= 1)
@@ -273,7 +287,7 @@ def alone(parent):
     end_of(attempt, "one rank without memory", 1, "lahar: the run failed. ", "not enough memory")
     print("    after %.1f s" % (time.monotonic() - struck))
     check_log("...", directory, "not enough memory")
-    # Steps for which a library had too little memory were repeated with half their length; the last one may be lost.
+    # The last step may be lost.
     before = [float(row[1]) for row in Statistics(directory).rows]  # times
     end_time = before[-1] + 4e-3
     end_of(start(directory, 2, "--resume", "--set", "End time=%.12g" % end_time), "... it goes on", 0, "Resumed after step")

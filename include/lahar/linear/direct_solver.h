@@ -59,8 +59,12 @@ namespace Lahar
                    const unsigned int pattern);
       void factorize();
       void apply();
-      /// Why the package has failed, behind the sentence that it has.
-      std::string reason() const;
+      /**
+       * Check what the package did last; not each failure of MUMPS reaches Amesos' return value @p status. Collective.
+       * @throws RunError with the sentence @p what and the package's reason behind it; std::runtime_error if there is
+       * not enough memory, since no shorter step needs less.
+       */
+      void check(const int status, const std::string &what) const;
     };
 
     void factorize_whole(const BlockSystem<dim> &system);
