@@ -56,7 +56,9 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::advance_history(const double time_step)
   {
-    const std::vector<double> before = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
+    std::vector<double> before;
+    if (has_multipliers())
+      before = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
     FluidStructure<dim>::advance(fluid_mesh, materials, time_step, migration, particles);
     if (!has_multipliers())
       return;

@@ -21,18 +21,18 @@ namespace Lahar
    *
    * Edges of the mesh shorter than c_min h lose a fluid particle: the inner one of the two, so that the domain keeps
    * its shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so
-   * that the area under the surface stays, with rotational symmetry the volume. Particles nearer than h/10 to a wall that carries particles go: Delaunay
-   * simplices between them and the wall would be flat, and those through a thin wall would take their place. Edges
-   * longer than c_max h get a particle in their middle.
+   * that the area under the surface stays, with rotational symmetry the volume. Particles nearer than h/10 to a wall
+   * that carries particles go: Delaunay simplices between them and the wall would be flat, and those through a thin
+   * wall would take their place. Edges longer than c_max h get a particle in their middle.
    *
    * In space a long edge stays as it is where that particle would do harm, see harmful_midpoints().
    *
-   * Particles on an interface between fluids give way to others on one only: of a short edge the other particle goes, but
-   * one that holds the shape of the domain only where the two are very near. In the plane two neighbours along an
-   * interface are merged so that the areas, or volumes, of both fluids stay. Inner particles that an interface face sees in its
-   * smallest ball go, too; so such faces are Delaunay. Where fluids have met, the edges between particles of the one and
-   * of the other get a particle in their middle, or lose one end if they are short; the new particle, or the other end,
-   * belongs to both. A new particle belongs to the fluids of all cells around its edge.
+   * Particles on an interface between fluids give way to others on one only: of a short edge the other particle goes,
+   * but one that holds the shape of the domain only where the two are very near. In the plane two neighbours along an
+   * interface are merged so that the areas, or volumes, of both fluids stay. Inner particles that an interface face
+   * sees in its smallest ball go, too; so such faces are Delaunay. Where fluids have met, the edges between particles
+   * of the one and of the other get a particle in their middle, or lose one end if they are short; the new particle, or
+   * the other end, belongs to both. A new particle belongs to the fluids of all cells around its edge.
    *
    * Short edges come in the order of their particles, the longest of the long edges first, and each particle is changed
    * once. As what happens to an edge depends on its surroundings only, this goes in rounds: of several short edges that
