@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "tests.h"
+#include "two_layers.h"
 
 using namespace Tests;
 
@@ -39,15 +40,7 @@ struct Layers
                      : 2 * j > n                              ? 2U
                                                               : 3U);
       }
-    std::vector<Simplex<2>> cells;
-    std::vector<unsigned int> fluids;
-    for (const Simplex<2> &cell : delaunay<2>(cloud.position))
-      if (const auto corners = corners_of<2>(cell, cloud.position); signed_volume<2>(corners) > 1e-6)
-      {
-        cells.push_back(cell);
-        fluids.push_back(materials.n_fluids() > 1 && centroid<2>(corners)[1] > 0.5);
-      }
-    mesh.reinit(cloud, cells, fluids);
+    mesh_layers(cloud, materials.n_fluids() > 1, mesh);
     FluidStructure<2>::prepare(materials, cloud);
     FluidStructure<2>::complete(mesh, materials, alone, cloud);
   }

@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "tests.h"
+#include "two_layers.h"
 
 using namespace Tests;
 
@@ -57,15 +58,7 @@ struct Layers
                      2 * j < n   ? 1U
                      : 2 * j > n ? 2U
                                  : 3U);
-    std::vector<Simplex<2>> cells;
-    std::vector<unsigned int> fluids;
-    for (const Simplex<2> &cell : delaunay<2>(cloud.position))
-      if (const auto corners = corners_of<2>(cell, cloud.position); signed_volume<2>(corners) > 1e-6)
-      {
-        cells.push_back(cell);
-        fluids.push_back(centroid<2>(corners)[1] > 0.5);
-      }
-    mesh.reinit(cloud, cells, fluids);
+    mesh_layers(cloud, true, mesh);
   }
 };
 
