@@ -175,7 +175,8 @@ namespace Lahar
                                          0.,
                                  n * (inside - corners[k]) > 0. ? n : -n,
                                          step.velocity(boundary, corners[k]),
-                                         0.};
+                                         0.,
+                                         static_cast<unsigned int>(facets[k])};
             }
             contact->second.area += face_share<dim>(area, sum_of_radii, corners[k][0]);
           }

@@ -3,7 +3,9 @@
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/geometry/facet_geometry.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace Lahar
@@ -19,6 +21,7 @@ namespace Lahar
 
     template <int dim>
     std::vector<WallFacet<dim>> shapes_of(const std::vector<std::array<unsigned int, dim>> &facets,
+                                          const ParticleCloud<dim> &cloud,
                                           const std::vector<Point<dim>> &position)
     {
       std::vector<WallFacet<dim>> shapes;
@@ -27,6 +30,8 @@ namespace Lahar
         WallFacet<dim> shape;
         for (unsigned int v = 0; v < dim; ++v)
           shape.corners[v] = position[facet[v]];
+        shape.lands    = cloud.kind[facet[0]] == ParticleKind::slick_solid;
+        shape.boundary = cloud.part[facet[0]];
         shapes.push_back(shape);
       }
       return shapes;
@@ -65,7 +70,7 @@ namespace Lahar
   template <int dim>
   SolidContour<dim>::SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud)
     : particles(facets)
-    , shapes(shapes_of<dim>(facets, cloud.position))
+    , shapes(shapes_of<dim>(facets, cloud, cloud.position))
   {
     std::vector<Point<dim>> points;
     for (const Facet &facet : particles)
@@ -73,6 +78,29 @@ namespace Lahar
         points.push_back(cloud.position[particle]);
     if (!points.empty())
       box = BoundingBox<dim>(points);
+  }
+
+
+
+  template <int dim>
+  std::vector<typename SolidContour<dim>::Facet> SolidContour<dim>::facets_that_land(const bool lands) const
+  {
+    std::vector<Facet> result;
+    for (unsigned int f = 0; f < particles.size(); ++f)
+      if (shapes.facets()[f].lands == lands)
+        result.push_back(particles[f]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<WallFacet<dim>> SolidContour<dim>::wall_facets_that_land(const bool lands) const
+  {
+    std::vector<WallFacet<dim>> result;
+    std::copy_if(shapes.facets().begin(), shapes.facets().end(), std::back_inserter(result),
+                 [lands](const WallFacet<dim> &facet) { return facet.lands == lands; });
+    return result;
   }
 
 
@@ -132,7 +160,7 @@ namespace Lahar
     unsigned int n_put = 0;
     if (particles.empty())
       return n_put;
-    const Walls<dim> old_shapes(shapes_of<dim>(particles, old_position));
+    const Walls<dim> old_shapes(shapes_of<dim>(particles, cloud, old_position));
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
       if (cloud.kind[i] != ParticleKind::fluid)

@@ -53,8 +53,7 @@ namespace Lahar
 
     if (const int sticking = sticking_facet(particle, cloud); sticking != ParticleCloud<dim>::no_facet)
     {
-      cloud.velocity[particle]                 = step.velocity_at_end(walls.facets()[sticking].boundary,
-                                                                      cloud.position[particle]);
+      cloud.velocity[particle] = step.facet_velocity_at_end(sticking, cloud.position[particle]);
       cloud.acceleration[particle]             = Tensor<1, dim>();
       cloud.algorithmic_acceleration[particle] = Tensor<1, dim>();
       return;
@@ -128,6 +127,7 @@ namespace Lahar
              std::abs(walls.signed_distance(facet, cloud.position[i])) > 1e-3 * h))
           facet = ParticleCloud<dim>::no_facet;
       std::sort(slots.begin(), slots.end(), std::greater<int>());
+      put_on_solids(i, old_position[i], cloud);
 
       // The first facet on its way stops it there; from then on it may meet others.
       std::vector<unsigned int> met;
@@ -152,7 +152,7 @@ namespace Lahar
         if (!any)
           break;
         met.push_back(next);
-        const int side = step.distance_at_start(next, old_position[i]) < 0. ? -1 : 1;
+        const int side = side_at_start(next, old_position[i]);
         // Along a smooth hollow it leaves the facet behind for the one that it comes to.
         for (int &from : slots)
           if (goes_on(from, next, side, cloud.position[i]))
@@ -162,6 +162,28 @@ namespace Lahar
       }
       attach_near(i, contact_distance * h, cloud);
     }
+  }
+
+
+
+  template <int dim>
+  void WallContact<dim>::put_on_solids(const unsigned int particle, const Point<dim> &old_position,
+                                       ParticleCloud<dim> &cloud) const
+  {
+    const auto &slots = cloud.contact_facets[particle];
+    if (std::none_of(slots.begin(), slots.end(), [&](const int facet) {
+          return facet != ParticleCloud<dim>::no_facet && step.deforms(facet);
+        }))
+      return;
+    // In a corner that is no right angle the one facet moves it off the others.
+    for (unsigned int round = 0; round < 2 * dim; ++round)
+      for (const int facet : slots)
+        if (facet != ParticleCloud<dim>::no_facet)
+        {
+          const double height = side_at_start(facet, old_position) * contact_offset * cloud.spacing[particle];
+          cloud.position[particle] += (height - walls.signed_distance(facet, cloud.position[particle])) *
+                                      walls.normal(facet);
+        }
   }
 
 
@@ -177,7 +199,15 @@ namespace Lahar
   template <int dim>
   int WallContact<dim>::side_of(const unsigned int facet, const Point<dim> &point) const
   {
-    return walls.signed_distance(facet, point) < 0. ? -1 : 1;
+    return walls.signed_distance(facet, point) < 0. && !step.deforms(facet) ? -1 : 1;
+  }
+
+
+
+  template <int dim>
+  int WallContact<dim>::side_at_start(const unsigned int facet, const Point<dim> &point) const
+  {
+    return step.distance_at_start(facet, point) < 0. && !step.deforms(facet) ? -1 : 1;
   }
 
 
@@ -205,8 +235,14 @@ namespace Lahar
         return step.normal_velocity(facet, cloud.position[particle]);
       };
       const int sticking = sticking_facet(particle, cloud);
-      if (sticking == ParticleCloud<dim>::no_facet)
-        return sliding(particle, cloud, speed);
+      // What slides along a solid gives way to it along the wall.
+      const bool beside_solid = std::any_of(cloud.contact_facets[particle].begin(),
+                                            cloud.contact_facets[particle].end(), [&](const int facet) {
+                                              return facet != ParticleCloud<dim>::no_facet &&
+                                                     step.deforms(facet);
+                                            });
+      if (sticking == ParticleCloud<dim>::no_facet || beside_solid)
+        return sliding(particle, cloud, speed, false);
       of_wall  = true;
       boundary = walls.facets()[sticking].boundary;
       // What another wall pushes along the one that it sticks to slides on both.
@@ -216,7 +252,7 @@ namespace Lahar
         {
           const Tensor<1, dim> u = step.velocity(walls.facets()[facet].boundary, cloud.position[particle]);
           if (std::abs(walls.normal(facet) * v - speed(facet)) > rounding * (v.norm() + u.norm()))
-            return sliding(particle, cloud, speed);
+            return sliding(particle, cloud, speed, false);
         }
     }
     NodeConstraint<dim> result;
@@ -235,17 +271,20 @@ namespace Lahar
   NodeConstraint<dim> WallContact<dim>::sliding_at_end(const unsigned int particle,
                                                        const ParticleCloud<dim> &cloud) const
   {
-    return sliding(particle, cloud, [&](const unsigned int facet) {
-      return walls.normal(facet) *
-             step.velocity_at_end(walls.facets()[facet].boundary, cloud.position[particle]);
-    });
+    return sliding(
+      particle, cloud,
+      [&](const unsigned int facet) {
+        return walls.normal(facet) * step.facet_velocity_at_end(facet, cloud.position[particle]);
+      },
+      true);
   }
 
 
 
   template <int dim>
   NodeConstraint<dim> WallContact<dim>::sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,
-                                                const std::function<double(const unsigned int)> &speed) const
+                                                const std::function<double(const unsigned int)> &speed,
+                                                const bool with_solids) const
   {
     NodeConstraint<dim> result;
     if (!cloud.in_contact(particle))
@@ -270,7 +309,7 @@ namespace Lahar
       }
     };
     for (const int facet : cloud.contact_facets[particle])
-      if (facet != ParticleCloud<dim>::no_facet)
+      if (facet != ParticleCloud<dim>::no_facet && (with_solids || !step.deforms(facet)))
       {
         add(walls.normal(facet), parallel_tolerance, speed(facet));
         result.moves = result.moves || step.facet_moves(facet);

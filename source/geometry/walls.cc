@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/walls.h>
 
 #include <algorithm>
 
 namespace Lahar
 {
-  namespace
-  {
-    Tensor<1, 2> facet_normal(const std::array<Point<2>, 2> &corners)
-    {
-      return cross_product_2d(corners[1] - corners[0]);
-    }
-
-    Tensor<1, 3> facet_normal(const std::array<Point<3>, 3> &corners)
-    {
-      return cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
-    }
-  } // namespace
-
-
-
   template <int dim>
   Walls<dim>::Walls(const std::vector<WallFacet<dim>> &facets, const std::vector<std::string> &names)
     : all_facets(facets)
@@ -95,19 +81,24 @@ namespace Lahar
     std::vector<unsigned int> found;
     for (const auto &entry :
          tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(box)))
-    {
-      const unsigned int facet = entry.second;
-      const double distance_a  = signed_distance(facet, a);
-      const double distance_b  = signed_distance(facet, b);
-      if (distance_a == distance_b || std::min(distance_a, distance_b) > -tolerance ||
-          std::max(distance_a, distance_b) < tolerance)
-        continue;
-      const Point<dim> hit = a + distance_a / (distance_a - distance_b) * (b - a);
-      if (is_above(facet, hit, rim))
-        found.push_back(facet);
-    }
+      if (is_crossed(entry.second, {a, b}, tolerance, rim))
+        found.push_back(entry.second);
     std::sort(found.begin(), found.end());
     return found;
+  }
+
+
+
+  template <int dim>
+  bool Walls<dim>::is_crossed(const unsigned int facet, const std::pair<Point<dim>, Point<dim>> &segment,
+                              const double tolerance, const double rim) const
+  {
+    const auto &[a, b]      = segment;
+    const double distance_a = signed_distance(facet, a);
+    const double distance_b = signed_distance(facet, b);
+    return distance_a != distance_b && std::min(distance_a, distance_b) <= -tolerance &&
+           std::max(distance_a, distance_b) >= tolerance &&
+           is_above(facet, a + distance_a / (distance_a - distance_b) * (b - a), rim);
   }
 
 

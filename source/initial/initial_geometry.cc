@@ -188,7 +188,7 @@ namespace Lahar
   InitialGeometry<dim>::create_walls(const MeshSize<dim> &h, const Fillings &fillings,
                                      const SolidContour<dim> &solids, Walls<dim> &walls) const
   {
-    const Walls<dim> solid_facets(solids.wall_facets());
+    const Walls<dim> solid_facets(solids.wall_facets_that_land(false));
     std::vector<WallFacet<dim>> facets;
     std::vector<std::pair<Point<dim>, unsigned int>> points;
     for (const WallShape<dim> &wall : wall_shapes)
@@ -229,11 +229,16 @@ namespace Lahar
     check_solids(fillings, solids, h.coarsest());
 
     PointSet<dim> places;
-    for (const Point<dim> &p : cloud.position)
+    std::vector<unsigned int> particle_at; // by place
+    const auto insert = [&](const Point<dim> &p, const unsigned int particle) {
       places.insert(p);
+      particle_at.push_back(particle);
+    };
+    for (unsigned int i = 0; i < cloud.size(); ++i)
+      if (cloud.kind[i] != ParticleKind::slick_solid)
+        insert(cloud.position[i], i);
     const auto append = [&](const Point<dim> &p, const ParticleKind kind, const unsigned int part) {
-      cloud.append(p, kind, h(p), part);
-      places.insert(p);
+      insert(p, cloud.append(p, kind, h(p), part));
     };
     // Two walls may share points; what they share with an inflow is theirs.
     const auto points = create_walls(h, fillings, solids, walls);
@@ -242,26 +247,24 @@ namespace Lahar
         if ((boundaries[boundary].inflow() != nullptr) == comes_in && places.near(p, contact * h(p)).empty())
           append(p, ParticleKind::wall, boundary);
 
-    std::vector<WallFacet<dim>> covered = solids.wall_facets();
+    std::vector<WallFacet<dim>> covered = solids.wall_facets_that_land(false),
+                                open    = solids.wall_facets_that_land(true);
     for (const WallFacet<dim> &facet : walls.facets())
-      if (!facet.lands)
-        covered.push_back(facet);
-    const Walls<dim> covered_facets(covered);
+      (facet.lands ? open : covered).push_back(facet);
+    const Walls<dim> covered_facets(covered), open_facets(open);
     // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
     // come near to each other. Corners come first: they hold the shape.
     std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
     const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
       const FluidBody<dim> &body = *bodies[b];
-      p                          = body.onto_walls(p, walls, h(p), contact * h(p) + body.roughness());
-      const auto is_beyond_wall  = [&](const Point<dim> &q) {
-        const auto crossed = walls.crossed(q, p, 0., touching * h(p));
-        return std::any_of(crossed.begin(), crossed.end(),
-                            [&](const unsigned int facet) { return walls.facets()[facet].lands; });
+      p                         = body.onto_walls(p, open_facets, h(p), contact * h(p) + body.roughness());
+      const auto is_beyond_wall = [&](const Point<dim> &q) {
+        return !open_facets.crossed(q, p, 0., touching * h(p)).empty();
       };
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
-      for (const unsigned int i : places.near(p, clearance * h(p)))
-        if (!is_beyond_wall(cloud.position[i]) &&
+      for (const unsigned int place : places.near(p, clearance * h(p)))
+        if (const unsigned int i = particle_at[place]; !is_beyond_wall(cloud.position[i]) &&
             (body_of[i] == b
                ? cloud.position[i].distance(p) < contact * h(p)
                : body.signed_distance(cloud.position[i]) <
@@ -277,7 +280,7 @@ namespace Lahar
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : fillings[b])
         add(b, p, 0.3);
-    mark_interfaces(walls, cloud);
+    mark_interfaces(open_facets, cloud);
     if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
   }

@@ -103,6 +103,49 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void BlockSystem<dim>::add_contact(const unsigned int k, const std::array<double, dim + 1> &weights,
+                                     const Tensor<1, dim> &residual, const Tensor<2, dim> &by_velocity)
+  {
+    const unsigned int *nodes    = &local_contacts[static_cast<std::size_t>(k) * n_corners];
+    const unsigned short *places = &contact_places[static_cast<std::size_t>(k) * n_corners * n_corners];
+    const auto frame             = [&](const unsigned int node) {
+      const NodeConstraint<dim> &constraint = constraints[node];
+      return constraint.n_fixed > 0 && constraint.n_fixed < dim ? constraint.frame
+                                                                  : Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    };
+    for (unsigned int I = 0; I < n_corners; ++I)
+    {
+      const unsigned int node = nodes[I];
+      if (node >= node_partition.n_with_rows())
+        continue;
+      const Tensor<2, dim> frame_I = frame(node);
+      const Tensor<1, dim> force   = weights[I] * (frame_I * residual);
+      const bool own               = node < node_partition.n_own();
+      for (unsigned int J = 0; J < n_corners; ++J)
+      {
+        const Tensor<2, dim> block = weights[I] * weights[J] *
+                                     (frame_I * by_velocity * transpose(frame(nodes[J])));
+        for (unsigned int a = constraints[node].n_fixed; a < dim; ++a)
+        {
+          if (I == J)
+            velocity_diagonals[node][a] += block[a][a];
+          if (!own)
+            continue;
+          double *K = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node]) +
+                      dim * (a * all_graph.degree(node) + places[I * n_corners + J]);
+          for (unsigned int b = constraints[nodes[J]].n_fixed; b < dim; ++b)
+            K[b] += block[a][b];
+        }
+      }
+      if (own)
+        for (unsigned int a = constraints[node].n_fixed; a < dim; ++a)
+          rhs_values[0][dim * node + a] -= force[a];
+    }
+  }
+
+
+
   template void BlockSystem<2>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
   template void BlockSystem<3>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
   template void BlockSystem<2>::add_solid(const unsigned int, const Tensor<1, 2> &);
@@ -111,4 +154,8 @@ namespace Lahar
                                             const Tensor<1, 2> &);
   template void BlockSystem<3>::add_at_node(const unsigned int, const Tensor<1, 3> &, const Tensor<2, 3> &,
                                             const Tensor<1, 3> &);
+  template void BlockSystem<2>::add_contact(const unsigned int, const std::array<double, 3> &,
+                                            const Tensor<1, 2> &, const Tensor<2, 2> &);
+  template void BlockSystem<3>::add_contact(const unsigned int, const std::array<double, 4> &,
+                                            const Tensor<1, 3> &, const Tensor<2, 3> &);
 } // namespace Lahar

@@ -18,6 +18,14 @@ namespace Lahar
   namespace
   {
     /// The places of all pairs of nodes of all cells in the rows of a graph.
+    void find_places(const NodalGraph &graph, const CellList &list, std::vector<unsigned short> &places)
+    {
+      for (unsigned int c = 0; c < list.n_cells; ++c)
+        for (const unsigned int *I = list.begin(c); I != list.end(c); ++I)
+          for (const unsigned int *J = list.begin(c); J != list.end(c); ++J)
+            places.push_back(graph.place(*I, *J));
+    }
+
     template <typename Cell, typename Places>
     void find_places(const NodalGraph &graph, const std::vector<Cell> &cells, Places &places)
     {
@@ -44,7 +52,10 @@ namespace Lahar
 
     const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
                                           static_cast<unsigned int>(cells.size()), n_corners},
-                                         {solids.cells.data(), n_solid_cells, solids.nodes_per_cell}};
+                                         {solids.cells.data(), n_solid_cells, solids.nodes_per_cell},
+                                         {solids.contacts.data(),
+                                          static_cast<unsigned int>(solids.contacts.size() / n_corners),
+                                          n_corners}};
     const bool nodes_change           = identities.owners.empty()
                                           ? node_partition.reinit(n_nodes, lists)
                                           : node_partition.reinit(identities.owners, identities.keys, lists);
@@ -55,10 +66,12 @@ namespace Lahar
     std::vector<Cell> new_cells(flat_cells.size() / n_corners);
     for (unsigned int k = 0; k < new_cells.size(); ++k)
       std::copy_n(flat_cells.begin() + k * n_corners, n_corners, new_cells[k].begin());
-    std::vector<unsigned int> new_solid_cells = node_partition.local_cells(1, lists[1]);
+    std::vector<unsigned int> new_solid_cells = node_partition.local_cells(1, lists[1]),
+                              new_contacts    = node_partition.local_cells(2, lists[2]);
     constraints.assign(node_partition.nodes().size(), NodeConstraint<dim>());
     bool changed = n_patterns == 0 || nodes_change || solids.nodes_per_cell != nodes_per_solid_cell ||
-                   new_cells != local_cells || new_solid_cells != local_solid_cells;
+                   new_cells != local_cells || new_solid_cells != local_solid_cells ||
+                   new_contacts != local_contacts;
     for (unsigned int l = 0; l < constraints.size() && !changed; ++l)
       changed = is_fluid(l) != (node_partition.nodes()[l] < n_fluid_nodes);
     if (Utilities::MPI::max(changed ? 1U : 0U, node_partition.communicator()) == 0)
@@ -68,6 +81,7 @@ namespace Lahar
     nodes_per_solid_cell = solids.nodes_per_cell;
     local_cells          = std::move(new_cells);
     local_solid_cells    = std::move(new_solid_cells);
+    local_contacts       = std::move(new_contacts);
     number_unknowns();
     make_matrices();
     rhs = make_vector();
@@ -120,17 +134,18 @@ namespace Lahar
     all_graph = NodalGraph();
     velocity_places.clear();
     solid_places.clear();
+    contact_places.clear();
     if (nodes_per_solid_cell == 0)
       return;
     const CellList solid_list{local_solid_cells.data(),
                               static_cast<unsigned int>(local_solid_cells.size() / nodes_per_solid_cell),
-                              nodes_per_solid_cell};
-    all_graph.reinit(nodes.size(), {list_of(local_cells), solid_list});
+                              nodes_per_solid_cell},
+      contact_list{local_contacts.data(), static_cast<unsigned int>(local_contacts.size() / n_corners),
+                   n_corners};
+    all_graph.reinit(nodes.size(), {list_of(local_cells), solid_list, contact_list});
     find_places(all_graph, local_cells, velocity_places);
-    for (unsigned int c = 0; c < solid_list.n_cells; ++c)
-      for (const unsigned int *I = solid_list.begin(c); I != solid_list.end(c); ++I)
-        for (const unsigned int *J = solid_list.begin(c); J != solid_list.end(c); ++J)
-          solid_places.push_back(all_graph.place(*I, *J));
+    find_places(all_graph, solid_list, solid_places);
+    find_places(all_graph, contact_list, contact_places);
   }
 
 

@@ -42,12 +42,15 @@ namespace Lahar
     std::vector<unsigned int> facets;
     bool is_one = true;
     for (const int facet : snapshot.cloud.contact_facets[particle])
-      if (facet != ParticleCloud<dim>::no_facet)
+      if (facet != ParticleCloud<dim>::no_facet &&
+          static_cast<unsigned int>(facet) < snapshot.walls.facets().size()) // else it is one of a solid
       {
         facets.push_back(facet);
         is_one = is_one &&
                  snapshot.walls.facets()[facet].boundary == snapshot.walls.facets()[facets[0]].boundary;
       }
+    if (facets.empty())
+      return;
     if (is_one)
     {
       forces[snapshot.walls.facets()[facets[0]].boundary] += force;

@@ -108,7 +108,7 @@ namespace Lahar
     {
       std::vector<unsigned int> own;
       for (unsigned int i = 0; i < cloud.size(); ++i)
-        if (cloud.is_own(i))
+        if (cloud.is_own(i) && cloud.kind[i] != ParticleKind::slick_solid)
           own.push_back(i);
       tree = std::make_unique<PointTree<dim>>(cloud.position, own);
     }

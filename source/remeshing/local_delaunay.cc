@@ -62,6 +62,8 @@ namespace Lahar
       std::vector<bool> used = used_anyway;
       for (unsigned int i = 0; i < cloud.size(); ++i)
       {
+        if (cloud.kind[i] == ParticleKind::slick_solid)
+          continue;
         used[i] = !box.empty() && (used[i] || contains_ball(box[0], points[i], 0.));
         (used[i] ? added : others).push_back(i);
       }

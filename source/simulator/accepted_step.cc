@@ -38,10 +38,12 @@ namespace Lahar
       in_mesh[particle] = true;
     solids.move_particles(in_mesh, particles);
     move_isolated_particles(fluid_mesh, input.gravity, time_step, particles);
-    stop_at_walls(old_position, wall_step, particles);
-    counters.kept_out += count_on_ranks(
-      SolidContour<dim>(solids.mesh().contour(), particles).keep_out(old_position, particles));
-    WallContact<dim>(wall_step).update(old_position, particles);
+    const WallStep<dim> contact_step = with_slick_solids(wall_step, old_position, time_step);
+    stop_at_walls(old_position, contact_step, particles);
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    counters.kept_out += count_on_ranks(SolidContour<dim>(contour.facets_that_land(false), particles)
+                                          .keep_out(old_position, particles));
+    WallContact<dim>(contact_step).update(old_position, particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
     migration.update(particles);
@@ -76,10 +78,14 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::take_mean_forces(const std::vector<FacePressure<dim>> &pressures)
   {
-    const std::vector<Tensor<1, dim>> reactions = problem.reactions();
+    const auto reactions = problem.reactions();
     std::vector<Tensor<1, dim>> forces(particles.size());
-    for (unsigned int v = 0; v < reactions.size(); ++v)
-      forces[fluid_mesh.particle(v)] = reactions[v];
+    for (unsigned int v = 0; v < reactions.at_vertices.size(); ++v)
+      forces[fluid_mesh.particle(v)] = reactions.at_vertices[v];
+    // The solids' particles come first.
+    for (unsigned int i = 0; i < solids.mesh().n_contour_nodes() && !reactions.of_slick_solids.empty(); ++i)
+      if (particles.kind[i] == ParticleKind::slick_solid)
+        forces[i] = reactions.of_slick_solids[i];
     for (unsigned int i = 0; i < particles.size(); ++i)
       particles.reaction[i] = time_integration.mean_force(forces[i], particles.reaction[i]);
     const std::vector<Tensor<1, dim>> on_outlets = Outlets<dim>::forces(pressures, fluid_mesh, particles,

@@ -13,6 +13,7 @@ namespace Lahar
     prm.declare_vector("Gravity", dim == 2 ? "0, -9.81" : "0, 0, -9.81", dim,
                        "Gravity vector in m/s², its components separated by commas.");
     InitialGeometry<dim>::declare_parameters(prm, structure);
+    SolidSurfaces::declare_parameters(prm, structure.solids);
     MeshSize<dim>::declare_parameters(prm);
     DomainLimit<dim>::declare_parameters(prm);
   }
@@ -29,6 +30,7 @@ namespace Lahar
       throw InputError("Parameter 'Solids' has '" + structure.solids[0] +
                        "'. Allowed: nothing, as 'Geometry' is 'rotational symmetry'.");
     geometry.parse_parameters(prm, structure);
+    surfaces.parse_parameters(prm, structure.solids);
     for (const Boundary<dim> &boundary : geometry.all_boundaries())
     {
       boundary.check_start(run.start_time);

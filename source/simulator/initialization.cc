@@ -35,7 +35,7 @@ namespace Lahar
     for (const std::string &text : solids.create(input.mesh_size, input.run.start_time,
                                                  input.geometry.has_fluid() || input.gravity.norm() > 0.))
       output.warn(text);
-    solids.append_particles(input.mesh_size, particles);
+    solids.append_particles(input.mesh_size, input.surfaces.slick(), particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     input.geometry.create(input.mesh_size, contour, particles, walls);
     if (input.geometry.any_boundary_moves())
@@ -51,7 +51,11 @@ namespace Lahar
     if (const std::string text = warn_of_open_floor(particles, obstacles(contour), input.gravity);
         !text.empty())
       output.warn(text);
-    WallContact<dim>(WallStep<dim>(walls)).initialize(particles);
+    // As if the solids had come with their velocities for a second.
+    std::vector<Point<dim>> old_position = particles.position;
+    for (unsigned int i = 0; i < solids.mesh().n_contour_nodes(); ++i)
+      old_position[i] -= particles.velocity[i];
+    WallContact<dim>(with_slick_solids(WallStep<dim>(walls), old_position, 1.)).initialize(particles);
     inlets.start(input.geometry.inflows(), walls, particles);
     outlets = input.geometry.outlets();
     outlets.check_initial(particles);
@@ -92,8 +96,8 @@ namespace Lahar
         input.geometry.put_on_interfaces(particles);
       try
       {
-        remesher.create_mesh(particles, obstacles(contour), contour.facets(), input.geometry.region(),
-                             migration, fluid_mesh);
+        remesher.create_mesh(particles, obstacles(contour), contour.facets_that_land(false),
+                             input.geometry.region(), migration, fluid_mesh);
         if (materials.n_fluids() > 1)
           fluid_mesh.set_cell_fluids(input.geometry.cell_fluids(fluid_mesh, particles));
       }

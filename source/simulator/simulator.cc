@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/assembly/fluid_structure.h>
+#include <lahar/boundary/solid_touch.h>
 #include <lahar/boundary/wall_contact.h>
 #include <lahar/remeshing/interface_correction.h>
 #include <lahar/simulator/simulator.h>
@@ -128,11 +129,14 @@ namespace Lahar
       {
         time_integration.start_step(time_step, counters.steps == 0);
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
+        // Where the slick solids will be at the end is not known yet.
+        const WallStep<dim> contact_step = with_slick_solids(*wall_step, particles.position, time_step);
         inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
         problem.start_step(
           {fluid_mesh, particles, solids, migration, materials, input.gravity, time_integration,
-           time + time_step, constraints(*wall_step), remeshing.arrives,
-           SlidingContact<dim>::find(fluid_mesh, particles, *wall_step, input.geometry.surface_laws()),
+           time + time_step, constraints(contact_step), remeshing.arrives,
+           SlidingContact<dim>::find(fluid_mesh, particles, contact_step, surface_laws()),
+           SolidTouch<dim>::find(fluid_mesh, particles, contact_step, slick_facets()),
            multipliers.values(), FluidStructure<dim>::of_cells(fluid_mesh, materials, particles), outlets});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
@@ -191,8 +195,8 @@ namespace Lahar
       multipliers.spread(fluid_mesh, materials.n_fluids(), particles, migration);
     try
     {
-      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets(), time_step, fluid_mesh,
-                                  migration);
+      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets_that_land(false), time_step,
+                                  fluid_mesh, migration);
     }
     catch (const RunError &error)
     {
@@ -268,14 +272,69 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    /// Facets of solids, with the numbers of their surfaces behind those of the boundaries.
+    template <int dim>
+    std::vector<WallFacet<dim>> of_solids(std::vector<WallFacet<dim>> facets, const Walls<dim> &walls)
+    {
+      for (WallFacet<dim> &facet : facets)
+        facet.boundary += walls.boundary_names().size();
+      return facets;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Walls<dim> Simulator<dim>::obstacles(const SolidContour<dim> &contour) const
   {
     if (solids.empty())
       return walls;
     std::vector<WallFacet<dim>> facets = walls.facets();
-    facets.insert(facets.end(), contour.wall_facets().begin(), contour.wall_facets().end());
+    for (const bool lands : {true, false})
+      for (const WallFacet<dim> &facet : of_solids(contour.wall_facets_that_land(lands), walls))
+        facets.push_back(facet);
     return Walls<dim>(facets);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::array<unsigned int, dim>> Simulator<dim>::slick_facets() const
+  {
+    if (!input.surfaces.any_slick())
+      return {};
+    return SolidContour<dim>(solids.mesh().contour(), particles).facets_that_land(true);
+  }
+
+
+
+  template <int dim>
+  WallStep<dim> Simulator<dim>::with_slick_solids(const WallStep<dim> &rigid,
+                                                  const std::vector<Point<dim>> &old_position,
+                                                  const double time_step) const
+  {
+    if (!input.surfaces.any_slick())
+      return rigid;
+    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    std::vector<WallFacet<dim>> end = of_solids(contour.wall_facets_that_land(true), walls), start = end;
+    const auto facets               = contour.facets_that_land(true);
+    for (unsigned int f = 0; f < start.size(); ++f)
+      for (unsigned int v = 0; v < dim; ++v)
+        start[f].corners[v] = old_position[facets[f][v]];
+    return rigid.with_solids(start, end, time_step);
+  }
+
+
+
+  template <int dim>
+  std::vector<const SurfaceLaw *> Simulator<dim>::surface_laws() const
+  {
+    std::vector<const SurfaceLaw *> laws = input.geometry.surface_laws();
+    for (const auto &law : input.surfaces.laws())
+      laws.push_back(law.get());
+    return laws;
   }
 
 

@@ -48,7 +48,7 @@ namespace Lahar
       if (cloud.reaction[particle].norm() > 0.)
         state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
                               cloud.pressure[particle];
-      contacts.push_back({contact, node, state, is_main});
+      contacts.push_back({contact, node, state, is_main, numbers::invalid_unsigned_int});
       const bool is_fluid = cloud.kind[particle] == ParticleKind::fluid;
       const FluidLaw &law = materials.law(is_fluid ? first_fluid(cloud.part[particle]) : 0);
       contacts.back().at.stiffness =
@@ -64,14 +64,60 @@ namespace Lahar
   template <int dim>
   void SlidingFriction<dim>::assemble(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
                                       const IndexVector<LocalNode, double> &pressures,
-                                      BlockSystem<dim> &system) const
+                                      const SolidContact<dim> &solids, BlockSystem<dim> &system) const
   {
     for (const Contact &contact : contacts)
     {
-      const SlidingForce<dim> force = contact.at.force(velocities[contact.node], pressures[contact.node],
-                                                       contact.state);
+      SlidingForce<dim> force = contact.at.force(velocities[contact.node], pressures[contact.node],
+                                                 contact.state);
+      if (contact.with_solid != numbers::invalid_unsigned_int)
+      {
+        system.add_contact(contact.with_solid, solids.weights(contact.with_solid), force.value,
+                           force.by_velocity);
+        force.value       = Tensor<1, dim>();
+        force.by_velocity = Tensor<2, dim>();
+      }
       system.add_at_node(contact.node.value(), force.value, force.by_velocity, force.by_pressure);
     }
+  }
+
+
+
+  template <int dim>
+  void SlidingFriction<dim>::join(const SolidContact<dim> &solids)
+  {
+    for (Contact &contact : contacts)
+      contact.with_solid = solids.find(contact.at.vertex, contact.at.facet);
+  }
+
+
+
+  template <int dim>
+  void SlidingFriction<dim>::move(const SolidContact<dim> &solids)
+  {
+    for (Contact &contact : contacts)
+      if (contact.with_solid != numbers::invalid_unsigned_int)
+      {
+        const Tensor<1, dim> &normal = solids.normal(contact.with_solid);
+        contact.at.normal            = normal * contact.at.normal < 0. ? -normal : normal;
+        contact.at.wall_velocity     = solids.surface_velocity(contact.with_solid);
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  SlidingFriction<dim>::forces_on_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                         const IndexVector<LocalNode, double> &pressures,
+                                         const SolidContact<dim> &solids) const
+  {
+    std::vector<Tensor<1, dim>> result(solids.n_contacts());
+    for (const Contact &contact : contacts)
+      if (contact.with_solid != numbers::invalid_unsigned_int)
+        result[contact.with_solid] +=
+          contact.at.force(velocities[contact.node], pressures[contact.node], contact.state).value;
+    return result;
   }
 
 

@@ -25,6 +25,7 @@ namespace Lahar
     time_integration = start.time_integration;
     solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
                 start.end_time);
+    contact.start_step(start.touches, *region_mesh, start.cloud, materials, time_integration.length());
     set_constraints(start, reinit_system(start.cloud, start.migration));
     linear_solver->forget();
 
@@ -37,6 +38,8 @@ namespace Lahar
                                                          materials.largest_density() * start.gravity);
     friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
                         start.time_integration.length(), numbering, communicator());
+    contact.number(system, numbering);
+    friction.join(contact);
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
 
     fluid.state.structure.clear();
@@ -55,7 +58,13 @@ namespace Lahar
     IndexVector<LocalNode, Tensor<1, dim>> velocities = node_velocities();
     impose(velocities);
     safeguards.slow_down(constraints, fluid, velocities);
-    solid.move(of_solids(velocities));
+    move_solids(velocities);
+    if (contact.any())
+    {
+      contact.close_gaps(numbering, velocities);
+      fluid.move(numbering.by_vertex(velocities));
+      move_solids(velocities);
+    }
     set_norms();
   }
 
@@ -104,13 +113,14 @@ namespace Lahar
     for (unsigned int v = 0; v < region_mesh->n_vertices(); ++v)
       positions[RegionNode(v)] = cloud.position[region_mesh->particle(v)];
     const bool is_alone = migration.is_alone();
-    if (const auto now = std::make_pair(region_mesh->connectivity_number(), solid.nodes());
+    const std::vector<unsigned int> contacts = contact.cells(solid.nodes());
+    if (const auto now = std::make_tuple(region_mesh->connectivity_number(), solid.nodes(), contacts);
         !is_alone || now != numbered)
     {
       TimerOutput::Scope scope(timer, "Set up system");
       numbered = now;
       system.reinit(region_mesh->n_vertices(), region_mesh->cells(),
-                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell()}, positions.raw(),
+                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell(), contacts}, positions.raw(),
                     is_alone ? NodeIdentities() : identify_nodes(cloud, migration, positions));
       solution = system.make_vector();
     }

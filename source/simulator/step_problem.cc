@@ -101,7 +101,8 @@ namespace Lahar
         throw RunError("a simplex is inverted");
     }
     if (friction.any())
-      friction.assemble(fluid_velocities(), fluid_pressures(), system);
+      friction.assemble(fluid_velocities(), fluid_pressures(), contact, system);
+    contact.assemble(system);
     if (solid.nodes_per_cell() > 0)
     {
       TimerOutput::Scope scope(timer, "Assemble solids");
@@ -160,11 +161,21 @@ namespace Lahar
     TimerOutput::Scope scope(timer, "Update");
     const IndexVector<LocalNode, Tensor<1, dim>> velocities = safeguards.advance(step_state, length,
                                                                                  constraints, fluid);
-    solid.move(of_solids(velocities));
+    move_solids(velocities);
     step_state.advance(length, fluid.state);
     set_norms();
     if (!std::isfinite(step_state.velocity_norm()) || !std::isfinite(step_state.pressure_norm()))
       throw RunError("velocity or pressure is not a finite number");
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::move_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities)
+  {
+    solid.move(of_solids(velocities));
+    contact.move(fluid, solid);
+    friction.move(contact);
   }
 
 
@@ -193,6 +204,7 @@ namespace Lahar
   void StepProblem<dim>::end_iteration()
   {
     iterate_friction();
+    contact.iterate();
     if (safeguards.end_iteration(fluid, constraints))
       system.set_constraints(constraints.raw());
   }
@@ -253,14 +265,39 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> StepProblem<dim>::reactions() const
+  typename StepProblem<dim>::Reactions StepProblem<dim>::reactions() const
   {
+    Reactions result;
     IndexVector<LocalNode, Tensor<1, dim>> residuals(system.momentum_residual());
+    if (contact.any())
+    {
+      const auto along = friction.forces_on_solids(fluid_velocities(), fluid_pressures(), contact);
+      IndexVector<LocalNode, unsigned int> n_contacts(residuals.size(), 0);
+      for (unsigned int k = 0; k < contact.n_contacts(); ++k)
+        ++n_contacts[numbering.node(RegionVertex(contact.touch(k).vertex))];
+      std::vector<double> on_fluid(dim * solid.nodes().size(), 0.);
+      for (unsigned int k = 0; k < contact.n_contacts(); ++k)
+        if (const LocalNode node = numbering.node(RegionVertex(contact.touch(k).vertex)); numbering.is_own(node))
+        {
+          // Where nothing else holds the vertex the force is all that the fluid exerts there, exact as that of a wall is.
+          const bool is_alone           = n_contacts[node] == 1 && constraints[node].n_fixed == 0;
+          const Tensor<1, dim> on_solid = is_alone ? -residuals[node] : contact.normal_force(k) + along[k];
+          if (!is_alone)
+            residuals[node] += on_solid;
+          for (unsigned int v = 0; v < dim; ++v)
+            for (unsigned int a = 0; a < dim; ++a)
+              on_fluid[dim * contact.touch(k).corners[v] + a] += contact.weights(k)[v + 1] * on_solid[a];
+        }
+      Utilities::MPI::sum(on_fluid, communicator(), on_fluid);
+      for (unsigned int i = 0; i < solid.nodes().size(); ++i)
+        result.of_slick_solids.emplace_back(make_array_view(&on_fluid[dim * i], &on_fluid[dim * i] + dim));
+    }
     system.partition().update(residuals.raw());
-    IndexVector<RegionVertex, Tensor<1, dim>> result(region_mesh->n_vertices());
+    IndexVector<RegionVertex, Tensor<1, dim>> at_vertices(region_mesh->n_vertices());
     for (const Vertex v : numbering.vertices())
-      result[numbering.region_vertex(v)] = residuals[numbering.node(v)];
-    return result.raw();
+      at_vertices[numbering.region_vertex(v)] = residuals[numbering.node(v)];
+    result.at_vertices = std::move(at_vertices.raw());
+    return result;
   }
 
 

@@ -234,7 +234,8 @@ namespace Lahar
 
 
   template <int dim>
-  void Solids<dim>::append_particles(const MeshSize<dim> &mesh_size, ParticleCloud<dim> &cloud) const
+  void Solids<dim>::append_particles(const MeshSize<dim> &mesh_size, const std::vector<bool> &slick,
+                                     ParticleCloud<dim> &cloud) const
   {
     Assert(cloud.size() == 0, ExcInternalError());
     if (empty())
@@ -249,7 +250,9 @@ namespace Lahar
                                        present.position[facet[v]].distance(present.position[other]));
     for (unsigned int i = 0; i < solid_mesh->n_contour_nodes(); ++i)
     {
-      cloud.append(present.position[i], ParticleKind::solid, spacing[i], solid_mesh->body_of_node(i));
+      const unsigned int body = solid_mesh->body_of_node(i);
+      cloud.append(present.position[i], slick[body] ? ParticleKind::slick_solid : ParticleKind::solid,
+                   spacing[i], body);
       cloud.velocity[i] = present.velocity[i];
     }
   }

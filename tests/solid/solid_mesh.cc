@@ -56,7 +56,7 @@ void test_mesh(const unsigned int degree)
 
   // The divergence theorem over the contour: ∫ x·n = dim V; all normals point out.
   ParticleCloud<dim> cloud;
-  solids.append_particles(0.1, cloud);
+  solids.append_particles(0.1, std::vector<bool>(solids.all_bodies().size(), false), cloud);
   const SolidContour<dim> contour(mesh.contour(), cloud);
   double flux            = 0.;
   bool all_are_particles = true;
@@ -194,7 +194,7 @@ void test_keep_out()
   Solids<2> solids;
   make(solids, 1, "hypoelastic");
   ParticleCloud<2> cloud;
-  solids.append_particles(0.05, cloud);
+  solids.append_particles(0.05, std::vector<bool>(solids.all_bodies().size(), false), cloud);
   const unsigned int first = cloud.size();
   // One before the solid that moves away from it, one that the solid runs over, one that flies through the whole solid.
   cloud.append({0.05, 0.2}, ParticleKind::fluid, 0.05);

@@ -68,6 +68,37 @@ def check_friction(check):
     check.below("yield slip: velocity once it has stopped", np.abs(v[exact == 0.][20:]).max(), 1e-4)
 
 
+def check_slab(check):
+    """The same block on an elastic slab, along which it slides by the same laws."""
+    def velocity(law, *settings):
+        statistics = read_run(check.run("boundaries/block_on_slab.prm", f"Solids/slab/Surface/Law={law}", *settings))
+        time = statistics["Time (s)"] - 0.5 * statistics["Time step size (s)"]
+        solver, remeshing = volume_changes(statistics)
+        check.below(f"slab, {law}: volume change by the solver", solver, 1e-7)
+        check.below(f"slab, {law}: volume change by remeshing", remeshing, 1e-5)
+        momentum = statistics["Momentum x (N s)"]
+        force = statistics["slab mean fluid force x (N)"]
+        balance = np.diff(momentum) / statistics["Time step size (s)"][1:] - MASS * ALONG + force[1:]
+        check.below(f"slab, {law}: balance of momentum, over the weight", np.abs(balance).max() / (MASS * ACROSS), 1e-3)
+        return time, momentum / MASS, force, statistics["slab mean fluid force y (N)"]
+
+    settled = slice(20, None)
+    time, v, force, weight = velocity("free slip")
+    check.below("slab, free slip: velocity", np.abs(v - (1. + ALONG * time)).max(), 2e-3)
+    check.near("slab, free slip: mean normal force, over the weight", -weight[settled].mean() / (MASS * ACROSS), 1., 1e-3)
+
+    time, v, force, weight = velocity("Coulomb")
+    check.below("slab, Coulomb: velocity", np.abs(v - (1. + (ALONG - 0.3 * ACROSS) * time)).max(), 2e-3)
+    check.near("slab, Coulomb: mean normal force, over the weight", -weight[settled].mean() / (MASS * ACROSS), 1., 1e-3)
+    check.near("slab, Coulomb: mean friction over mean normal force", -force[settled].mean() / weight[settled].mean(), 0.3, 1e-3)
+
+    time, v, *rest = velocity("Navier slip", "Solids/slab/Clamped=", "Solids/slab/Driven=-0.1, -0.025 : 0.6, -0.025",
+                              "Solids/slab/Driving velocity=0.5; 0", "Solids/slab/Initial velocity=0.5; 0")
+    rate = 250. / (DENSITY * HEIGHT)
+    end = 0.5 + ALONG / rate
+    check.below("driven slab, Navier slip: velocity", np.abs(v - (end + (1. - end) * np.exp(-rate * time))).max(), 5e-3)
+
+
 def check_piston(check):
     """Shallow water: c² = g h1 (h1 + h0)/(2 h0), U = c (1 − h0/h1)."""
     statistics = read_run(check.run("boundaries/piston.prm"))
@@ -145,6 +176,7 @@ def check_gate(check):
 def main():
     check = Check(__doc__)
     check_friction(check)
+    check_slab(check)
     check_drum(check)
     check_piston(check)
     check_gate(check)

@@ -58,7 +58,8 @@ namespace Lahar
     double area           = 0.;   ///< A, m² (m in the plane)
     Tensor<1, dim> normal;        ///< into the fluid
     Tensor<1, dim> wall_velocity; ///< mean of the step, m/s
-    double stiffness = 0.;        ///< k, Pa s/m
+    double stiffness   = 0.;      ///< k, Pa s/m
+    unsigned int facet = 0;       ///< of the walls of the step
 
     /// At the mean @p velocity (m/s) and @p pressure (Pa, positive in tension).
     SlidingForce<dim> force(const Tensor<1, dim> &velocity, const double pressure,

@@ -11,7 +11,8 @@ namespace Lahar
   /**
    * The contours of the solids at one time, as facets between their particles.
    *
-   * @p facets are particle indices, as they stand in SolidMesh::contour(): normals point out of the solid.
+   * @p facets are particle indices, as they stand in SolidMesh::contour(): normals point out of the solid. As walls they
+   * belong to the boundary that has the number of the solid; fluid lands on those whose particles are slick.
    */
   template <int dim>
   class SolidContour
@@ -27,11 +28,17 @@ namespace Lahar
       return particles;
     }
 
-    /// The facets as walls that carry particles.
+    /// The facets as walls.
     const std::vector<WallFacet<dim>> &wall_facets() const
     {
       return shapes.facets();
     }
+
+    /// Those facets on which fluid lands, or the others.
+    std::vector<Facet> facets_that_land(const bool lands) const;
+
+    /// The facets on which fluid lands, or the others, as walls.
+    std::vector<WallFacet<dim>> wall_facets_that_land(const bool lands) const;
 
     /// Whether @p point lies in a solid: the contour's winding number around it is not zero.
     bool is_inside(const Point<dim> &point) const;

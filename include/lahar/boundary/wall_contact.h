@@ -13,7 +13,7 @@
 namespace Lahar
 {
   /**
-   * Contact with rigid walls: which particles lie on them, and what that prescribes: n·v is that of the wall, and where the
+   * Contact with walls and the slick surfaces of solids: which particles lie on them, and what that prescribes: n·v is that of the wall, and where the
    * fluid sticks to it all of v. What resists sliding is no matter of this class, see SlidingContact.
    *
    * A particle that passes through a facet on which fluid lands (WallFacet), or comes nearer than a tenth of its spacing, is
@@ -41,7 +41,8 @@ namespace Lahar
     static void release(const unsigned int particle, ParticleCloud<dim> &cloud);
 
     /// The prescribed components of a particle's mean velocity in the step that begins: all of particles of walls and solids
-    /// and of those that stick, the normal ones of those that slide.
+    /// and of those that stick, the normal ones of those that slide along walls. What solids ask for is not prescribed, see
+    /// SolidTouch.
     NodeConstraint<dim> constraint(const unsigned int particle, const ParticleCloud<dim> &cloud) const;
 
   private:
@@ -58,12 +59,20 @@ namespace Lahar
     /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
     bool goes_on(const int from, const unsigned int to, const int side, const Point<dim> &position) const;
 
-    /// On which side of a facet a point is at the end of the step.
-    int side_of(const unsigned int facet, const Point<dim> &point) const;
+    /// Put a particle back on its facets where some are those of solids: the velocities are within the tolerance of the
+    /// nonlinear iteration, which may be more than the particle is off a facet.
+    void put_on_solids(const unsigned int particle, const Point<dim> &old_position, ParticleCloud<dim> &cloud) const;
 
-    /// What the slip facets of a particle prescribe, if the wanted component along a facet's normal is @p speed (m/s).
+    /// On which side of a facet a point is at the end of the step; of one of a solid, outside.
+    int side_of(const unsigned int facet, const Point<dim> &point) const;
+    /// The same at the start of the step.
+    int side_at_start(const unsigned int facet, const Point<dim> &point) const;
+
+    /// What the slip facets of a particle prescribe, those of solids with them or not, if the wanted component along a
+    /// facet's normal is @p speed (m/s).
     NodeConstraint<dim> sliding(const unsigned int particle, const ParticleCloud<dim> &cloud,
-                                const std::function<double(const unsigned int)> &speed) const;
+                                const std::function<double(const unsigned int)> &speed,
+                                const bool with_solids) const;
     /// The same with the facets' own velocities at the end of the step, where the particle is.
     NodeConstraint<dim> sliding_at_end(const unsigned int particle, const ParticleCloud<dim> &cloud) const;
 

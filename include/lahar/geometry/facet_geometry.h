@@ -11,9 +11,24 @@ namespace Lahar
 {
   using namespace dealii;
 
+  /// Normal of a facet, of any length; its side follows from the order of the corners.
+  inline Tensor<1, 2> facet_normal(const std::array<Point<2>, 2> &corners)
+  {
+    return cross_product_2d(corners[1] - corners[0]);
+  }
+
+  inline Tensor<1, 3> facet_normal(const std::array<Point<3>, 3> &corners)
+  {
+    return cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+  }
+
   /// The point of a facet (a segment in 2D, a triangle in 3D) nearest to @p point, by shares of its corners.
   std::array<double, 2> nearest_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point);
   std::array<double, 3> nearest_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point);
+
+  /// The foot of @p point on the plane of a facet, by shares of its corners; beyond the facet some are negative.
+  std::array<double, 2> foot_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point);
+  std::array<double, 3> foot_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point);
 
   /// The point of a facet that has the given shares of its corners.
   template <int dim>

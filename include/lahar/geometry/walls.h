@@ -79,6 +79,10 @@ namespace Lahar
     std::vector<unsigned int> crossed(const Point<dim> &a, const Point<dim> &b, const double tolerance,
                                       const double rim) const;
 
+    /// Whether the segment passes through one facet in this sense.
+    bool is_crossed(const unsigned int facet, const std::pair<Point<dim>, Point<dim>> &segment,
+                    const double tolerance, const double rim) const;
+
     /// Whether another facet without particles lies between @p point and its foot on the plane of @p facet.
     bool is_hidden(const unsigned int facet, const Point<dim> &point) const;
 

@@ -29,6 +29,8 @@ namespace Lahar
     unsigned int n_nodes = 0;        ///< that are none of the fluid's
     std::vector<unsigned int> cells; ///< node numbers, one cell after the other
     unsigned int nodes_per_cell = 0;
+    /// Contacts: a node of the fluid and the dim nodes of the facet of a solid along which it slides.
+    std::vector<unsigned int> contacts;
   };
 
   /// What the nodes are on all ranks, see NodePartition::reinit(). Without owners all ranks have the whole mesh.
@@ -49,8 +51,9 @@ namespace Lahar
    * nodal graph, so the place of an entry is computed, not searched for: add() costs one table lookup per pair of nodes.
    *
    * The fluid's nodes come first. Nodes of solids that are none of the fluid's follow, and have no pressure; where the
-   * two share a node, K is the sum of both. K follows velocity_graph(), which has all cells, the other blocks follow
-   * graph(), which has the fluid's.
+   * two share a node, K is the sum of both; where fluid slides along a solid, contacts join a node of the fluid and those
+   * of a facet. K follows velocity_graph(), which has all of these, the other blocks follow graph(), which has the fluid's
+   * cells.
    *
    * Each rank has the rows of its own nodes, see NodePartition, and assembles all cells that it knows. The graphs are in
    * local numbers; a fluid node's row in graph() and its place as a column there is fluid_number() of its local number,
@@ -92,6 +95,12 @@ namespace Lahar
       return node_partition.cells(1);
     }
 
+    /// The same of the contacts.
+    const std::vector<unsigned int> &contacts() const
+    {
+      return node_partition.cells(2);
+    }
+
     /// Tell where the nodes are now, if they were told to reinit().
     void set_positions(const std::vector<Point<dim>> &positions);
 
@@ -129,6 +138,14 @@ namespace Lahar
      */
     void add_at_node(const unsigned int local_node, const Tensor<1, dim> &residual,
                      const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure);
+
+    /**
+     * Add the force of contact contacts()[@p k], whose velocity is the sum of those of its nodes, each with its weight:
+     * @p residual and its derivatives with respect to that velocity. It is no part of momentum_residual() or
+     * solid_residual().
+     */
+    void add_contact(const unsigned int k, const std::array<double, dim + 1> &weights,
+                     const Tensor<1, dim> &residual, const Tensor<2, dim> &by_velocity);
 
     /// All nodes.
     unsigned int n_nodes() const
@@ -261,11 +278,11 @@ namespace Lahar
     using Places = std::vector<std::array<unsigned short, n_corners * n_corners>>;
 
     std::vector<Cell> local_cells; ///< by local numbers
-    std::vector<unsigned int> local_solid_cells;
+    std::vector<unsigned int> local_solid_cells, local_contacts;
     unsigned int nodes_per_solid_cell = 0;
     NodalGraph pressure_graph, all_graph; ///< the latter with solids only
     Places places, velocity_places;       ///< of node J in the row of node I of the two graphs, by cell
-    std::vector<unsigned short> solid_places;
+    std::vector<unsigned short> solid_places, contact_places;
     unsigned int n_patterns = 0;
 
     std::vector<NodeConstraint<dim>> constraints; ///< by local number

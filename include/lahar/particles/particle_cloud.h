@@ -17,12 +17,14 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// What a particle is: it moves with the fluid, it belongs to a rigid wall, or it is a node of a solid's contour.
+  /// What a particle is: it moves with the fluid, it belongs to a rigid wall, or it is a node of a solid's contour. On a
+  /// contour along which fluid slides it is slick: no vertex of the fluid's mesh, since fluid lands on its facets.
   enum class ParticleKind : unsigned char
   {
     fluid,
     wall,
-    solid
+    solid,
+    slick_solid
   };
 
   /**

@@ -5,6 +5,7 @@
 
 #include <lahar/geometry/mesh_size.h>
 #include <lahar/initial/initial_geometry.h>
+#include <lahar/initial/solid_surfaces.h>
 #include <lahar/remeshing/domain_limit.h>
 #include <lahar/simulator/run_parameters.h>
 #include <lahar/utilities/case_structure.h>
@@ -17,6 +18,7 @@ namespace Lahar
   {
     RunParameters run;
     InitialGeometry<dim> geometry; ///< the fluids and boundaries
+    SolidSurfaces surfaces;        ///< of the solids
     MeshSize<dim> mesh_size;
     DomainLimit<dim> domain_limit;
     Tensor<1, dim> gravity; ///< m/s²

@@ -135,8 +135,16 @@ namespace Lahar
     void take_mean_forces(const std::vector<FacePressure<dim>> &pressures);
     /// @throws RunError if a solid, whose nodes came from @p old_position, has run into something.
     void stop_at_collision(const std::vector<Point<dim>> &old_position, const WallStep<dim> &wall_step);
-    /// The rigid walls and the solids' contours.
+    /// The rigid walls, and behind them the solids' contours, slick ones first.
     Walls<dim> obstacles(const SolidContour<dim> &contour) const;
+    /// The facets of the slick contours as particles.
+    std::vector<std::array<unsigned int, dim>> slick_facets() const;
+    /// A step of the rigid walls with the slick contours behind them, whose particles came from @p old_position to where
+    /// they are now.
+    WallStep<dim> with_slick_solids(const WallStep<dim> &rigid, const std::vector<Point<dim>> &old_position,
+                                    const double time_step) const;
+    /// Those of the boundaries, and behind them those of the solids.
+    std::vector<const SurfaceLaw *> surface_laws() const;
     /// What walls and inflow prescribe in a step, by vertex.
     std::vector<NodeConstraint<dim>> constraints(const WallStep<dim> &wall_step) const;
     /// Make the first mesh and adapt the particles to it, until nothing changes.

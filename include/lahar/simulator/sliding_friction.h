@@ -7,6 +7,7 @@
 #include <lahar/linear/block_system.h>
 #include <lahar/linear/numbering.h>
 #include <lahar/material/materials.h>
+#include <lahar/simulator/solid_contact.h>
 
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace Lahar
    * The friction along boundaries during one time step, at the vertices that slide.
    *
    * What it adds to the system is no part of BlockSystem::momentum_residual(), so that the reaction of a vertex that slides
-   * is the force of the boundary with its friction.
+   * is the force of the boundary with its friction. Along a solid s is relative to the facet's point below the vertex, and
+   * the opposite force acts on the facet's corners, see SolidContact; that they feel the pressure's increment is no part of
+   * the tangent.
    */
   template <int dim>
   class SlidingFriction
@@ -31,9 +34,21 @@ namespace Lahar
                     const ParticleCloud<dim> &cloud, const Materials &materials, const double time_step,
                     const Numbering &numbering, const MPI_Comm &communicator);
 
+    /// Take part in the contacts with solids, once they are numbered.
+    void join(const SolidContact<dim> &solids);
+
+    /// Follow the solids' present velocities.
+    void move(const SolidContact<dim> &solids);
+
     /// Add forces and tangents to @p system at the mean @p velocities (m/s) and the @p pressures (Pa) of the nodes.
     void assemble(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
-                  const IndexVector<LocalNode, double> &pressures, BlockSystem<dim> &system) const;
+                  const IndexVector<LocalNode, double> &pressures, const SolidContact<dim> &solids,
+                  BlockSystem<dim> &system) const;
+
+    /// What the vertices of contacts with solids exert along these, by contact, N.
+    std::vector<Tensor<1, dim>> forces_on_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities,
+                                                 const IndexVector<LocalNode, double> &pressures,
+                                                 const SolidContact<dim> &solids) const;
 
     /// End an iteration, see SlidingContact. @param reactions of the boundaries on the nodes, as the last assembly has
     /// them.
@@ -62,6 +77,7 @@ namespace Lahar
       LocalNode node;
       SlidingState<dim> state;
       bool is_main; ///< whether the particle keeps its multiplier
+      unsigned int with_solid = numbers::invalid_unsigned_int; ///< number of a contact with a solid
     };
 
     std::vector<Contact> contacts; ///< of the nodes that this rank knows

@@ -18,6 +18,7 @@
 #include <lahar/simulator/time_integration.h>
 
 #include <memory>
+#include <tuple>
 #include <utility>
 
 namespace Lahar
@@ -70,8 +71,10 @@ namespace Lahar
       std::vector<NodeConstraint<dim>> constraints;
       /// By vertex: whether it is a corner of a cell that has just become fluid, see TimeIntegration.
       const std::vector<bool> &arrives;
-      /// Where fluid slides along boundaries that resist.
+      /// Where fluid slides along surfaces that resist.
       std::vector<SlidingContact<dim>> sliding;
+      /// Where fluid slides along solids.
+      std::vector<SolidTouch<dim>> touches;
       /// Of an exact yield stress, by cell, see ExactPlasticStress; empty where there are none yet.
       const std::vector<SymmetricTensor<2, dim>> &multipliers;
       /// By cell, see FluidStructure::of_cells().
@@ -183,9 +186,18 @@ namespace Lahar
     /// solids.
     void accept(ParticleCloud<dim> &cloud, Solids<dim> &solids);
 
-    /// Forces of walls and solids on the fluid at the vertices, N; meaningful at prescribed components and shared
-    /// nodes. Zero at vertices that this rank does not know.
-    std::vector<Tensor<1, dim>> reactions() const;
+    /// Forces on the fluid, N.
+    struct Reactions
+    {
+      /// Of walls, and of solids that share the vertex or are all that it touches; meaningful at prescribed components,
+      /// shared nodes and contacts. Zero at vertices that this rank does not know.
+      std::vector<Tensor<1, dim>> at_vertices;
+      /// Of slick solids, by node of the solids; empty if no fluid touches such.
+      std::vector<Tensor<1, dim>> of_slick_solids;
+    };
+
+    /// Collective.
+    Reactions reactions() const;
 
     const Materials &fluids() const
     {
@@ -208,6 +220,8 @@ namespace Lahar
     /// Multipliers of the cells, and which cells belong to parts of the fluid that stand.
     void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
     void start_iteration();
+    /// The fluid has moved: the solids follow, and what lies between both.
+    void move_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities);
     /// Friction follows velocities, pressures and reactions.
     void iterate_friction();
     /// Velocities and pressures of the known nodes; velocities of the solids' own nodes are zero in those of the fluid.
@@ -239,12 +253,13 @@ namespace Lahar
     FluidStep<dim> fluid;
     SolidStep<dim> solid;
     Numbering numbering;
-    /// The mesh and the solids that the system was made for.
-    std::pair<unsigned int, IndexVector<SolidNode, RegionNode>> numbered = {numbers::invalid_unsigned_int,
-                                                                            {}};
+    /// The mesh, the solids and the contacts that the system was made for.
+    std::tuple<unsigned int, IndexVector<SolidNode, RegionNode>, std::vector<unsigned int>> numbered = {
+      numbers::invalid_unsigned_int, {}, {}};
     StepState<dim> step_state;
     IndexVector<LocalNode, NodeConstraint<dim>> constraints;
     Safeguards<dim> safeguards;
+    SolidContact<dim> contact;
     SlidingFriction<dim> friction;
     double standing_velocity = 1e-7; ///< m/s
   };

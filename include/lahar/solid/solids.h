@@ -38,9 +38,10 @@ namespace Lahar
      */
     std::vector<std::string> create(const MeshSize<dim> &mesh_size, const double time, const bool is_loaded);
 
-    /// Append the contour's particles to an empty cloud. Their spacing is the longest edge of the contour at them, or
-    /// the mesh size if that is larger.
-    void append_particles(const MeshSize<dim> &mesh_size, ParticleCloud<dim> &cloud) const;
+    /// Append the contour's particles to an empty cloud, slick ones of the bodies that are @p slick. Their spacing is the
+    /// longest edge of the contour at them, or the mesh size if that is larger.
+    void append_particles(const MeshSize<dim> &mesh_size, const std::vector<bool> &slick,
+                          ParticleCloud<dim> &cloud) const;
 
     bool empty() const
     {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -49,21 +50,26 @@ namespace Lahar
       }
     };
 
-    /// The names of all models, separated by '|' as Patterns::Selection wants them.
-    static std::string names()
+    /// Names of models.
+    using Names = std::set<std::string>;
+
+    /// The names of all models but @p except, separated by '|' as Patterns::Selection wants them.
+    static std::string names(const Names &except = {})
     {
       std::string list;
       for (const auto &[name, model] : models())
-        list += (list.empty() ? "" : "|") + name;
+        if (except.count(name) == 0)
+          list += (list.empty() ? "" : "|") + name;
       return list;
     }
 
-    /// "name: description" of all models, one after the other.
-    static std::string descriptions()
+    /// "name: description" of all models but @p except, one after the other.
+    static std::string descriptions(const Names &except = {})
     {
       std::string text;
       for (const auto &[name, model] : models())
-        text += (text.empty() ? "'" : " '") + name + "': " + model.description;
+        if (except.count(name) == 0)
+          text += (text.empty() ? "'" : " '") + name + "': " + model.description;
       return text;
     }
 
@@ -73,27 +79,27 @@ namespace Lahar
     }
 
     /// Declare an entry whose value is the name of a model. @param documentation what is chosen; what the models are
-    /// follows.
+    /// follows. @param except cannot be chosen.
     static void declare_choice(Parameters &prm, const std::string &entry, const std::string &default_name,
-                               const std::string &documentation)
+                               const std::string &documentation, const Names &except = {})
     {
-      prm.declare_choice(entry, default_name, names(), documentation + " " + descriptions());
+      prm.declare_choice(entry, default_name, names(except), documentation + " " + descriptions(except));
     }
 
     /// The value of such an entry. @throws InputError with the names of all models if it is none of them.
-    static std::string choice(const Parameters &prm, const std::string &entry)
+    static std::string choice(const Parameters &prm, const std::string &entry, const Names &except = {})
     {
       const std::string name = prm.get(entry);
-      if (!contains(name))
-        prm.throw_wrong_value(entry, names());
+      if (!contains(name) || except.count(name) > 0)
+        prm.throw_wrong_value(entry, names(except));
       return name;
     }
 
-    /// Declare one subsection for each model with entries in the handler's current section.
-    static void declare_parameters(Parameters &prm)
+    /// Declare one subsection for each model with entries, but @p except, in the handler's current section.
+    static void declare_parameters(Parameters &prm, const Names &except = {})
     {
       for (const auto &[name, model] : models())
-        if (model.declare)
+        if (model.declare && except.count(name) == 0)
         {
           prm.enter_subsection(model.section);
           model.declare(prm);
@@ -119,17 +125,19 @@ namespace Lahar
 
     /// Declare such an entry and the models' subsections. An empty @p default_name makes the user choose.
     static void declare_models(Parameters &prm, const std::string &entry, const std::string &default_name,
-                               const std::string &documentation)
+                               const std::string &documentation, const Names &except = {})
     {
       declare_choice(prm, entry, default_name,
-                     documentation + " Its parameters, if it has any, stand in the subsection of its name.");
-      declare_parameters(prm);
+                     documentation + " Its parameters, if it has any, stand in the subsection of its name.",
+                     except);
+      declare_parameters(prm, except);
     }
 
     /// Create the model that @p entry of the handler's current section names. @throws InputError if there is none.
-    static std::unique_ptr<Base> create_chosen(Parameters &prm, const std::string &entry)
+    static std::unique_ptr<Base> create_chosen(Parameters &prm, const std::string &entry,
+                                               const Names &except = {})
     {
-      return create(choice(prm, entry), prm);
+      return create(choice(prm, entry, except), prm);
     }
 
   private:
