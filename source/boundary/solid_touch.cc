@@ -9,7 +9,8 @@ namespace Lahar
 {
   template <int dim>
   std::vector<SolidTouch<dim>>
-  SolidTouch<dim>::find(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const WallStep<dim> &step,
+  SolidTouch<dim>::find(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                        const WallStep<dim> &step,
                         const std::vector<std::array<unsigned int, dim>> &solid_facets)
   {
     std::vector<SolidTouch> result;

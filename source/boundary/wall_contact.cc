@@ -53,8 +53,8 @@ namespace Lahar
 
     if (const int sticking = sticking_facet(particle, cloud); sticking != ParticleCloud<dim>::no_facet)
     {
-      cloud.velocity[particle] = step.facet_velocity_at_end(sticking, cloud.position[particle]);
-      cloud.acceleration[particle]             = Tensor<1, dim>();
+      cloud.velocity[particle]     = step.facet_velocity_at_end(sticking, cloud.position[particle]);
+      cloud.acceleration[particle] = Tensor<1, dim>();
       cloud.algorithmic_acceleration[particle] = Tensor<1, dim>();
       return;
     }

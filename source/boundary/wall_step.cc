@@ -50,8 +50,7 @@ namespace Lahar
   template <int dim>
   Point<dim> WallStep<dim>::carried_by_facet(const unsigned int facet, const Point<dim> &point) const
   {
-    return point_of<dim>(end().facets()[facet].corners,
-                         foot_shares(start->facets()[facet].corners, point)) +
+    return point_of<dim>(end().facets()[facet].corners, foot_shares(start->facets()[facet].corners, point)) +
            start->signed_distance(facet, point) * end().normal(facet);
   }
 

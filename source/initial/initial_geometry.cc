@@ -257,14 +257,15 @@ namespace Lahar
     std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
     const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
       const FluidBody<dim> &body = *bodies[b];
-      p                         = body.onto_walls(p, open_facets, h(p), contact * h(p) + body.roughness());
-      const auto is_beyond_wall = [&](const Point<dim> &q) {
+      p                          = body.onto_walls(p, open_facets, h(p), contact * h(p) + body.roughness());
+      const auto is_beyond_wall  = [&](const Point<dim> &q) {
         return !open_facets.crossed(q, p, 0., touching * h(p)).empty();
       };
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
       for (const unsigned int place : places.near(p, clearance * h(p)))
-        if (const unsigned int i = particle_at[place]; !is_beyond_wall(cloud.position[i]) &&
+        if (const unsigned int i = particle_at[place];
+            !is_beyond_wall(cloud.position[i]) &&
             (body_of[i] == b
                ? cloud.position[i].distance(p) < contact * h(p)
                : body.signed_distance(cloud.position[i]) <

@@ -22,7 +22,8 @@ namespace Lahar
     {
       prm.enter_subsection(name);
       prm.enter_subsection("Surface");
-      Factory<SurfaceLaw>::declare_models(prm, "Law", "no slip", "How fluid moves along the solid.", rigid_only);
+      Factory<SurfaceLaw>::declare_models(prm, "Law", "no slip", "How fluid moves along the solid.",
+                                          rigid_only);
       prm.leave_subsection();
       prm.leave_subsection();
     }

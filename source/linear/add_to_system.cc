@@ -111,8 +111,9 @@ namespace Lahar
     const unsigned short *places = &contact_places[static_cast<std::size_t>(k) * n_corners * n_corners];
     const auto frame             = [&](const unsigned int node) {
       const NodeConstraint<dim> &constraint = constraints[node];
-      return constraint.n_fixed > 0 && constraint.n_fixed < dim ? constraint.frame
-                                                                  : Tensor<2, dim>(unit_symmetric_tensor<dim>());
+      return constraint.n_fixed > 0 && constraint.n_fixed < dim
+                           ? constraint.frame
+                           : Tensor<2, dim>(unit_symmetric_tensor<dim>());
     };
     for (unsigned int I = 0; I < n_corners; ++I)
     {

@@ -50,15 +50,13 @@ namespace Lahar
            ExcDimensionMismatch(positions.size(), n_nodes));
     n_fluid_nodes = new_n_fluid_nodes;
 
-    const std::vector<CellList> lists = {{cells.empty() ? nullptr : cells.front().data(),
-                                          static_cast<unsigned int>(cells.size()), n_corners},
-                                         {solids.cells.data(), n_solid_cells, solids.nodes_per_cell},
-                                         {solids.contacts.data(),
-                                          static_cast<unsigned int>(solids.contacts.size() / n_corners),
-                                          n_corners}};
-    const bool nodes_change           = identities.owners.empty()
-                                          ? node_partition.reinit(n_nodes, lists)
-                                          : node_partition.reinit(identities.owners, identities.keys, lists);
+    const std::vector<CellList> lists = {
+      {cells.empty() ? nullptr : cells.front().data(), static_cast<unsigned int>(cells.size()), n_corners},
+      {solids.cells.data(), n_solid_cells, solids.nodes_per_cell},
+      {solids.contacts.data(), static_cast<unsigned int>(solids.contacts.size() / n_corners), n_corners}};
+    const bool nodes_change = identities.owners.empty()
+                                ? node_partition.reinit(n_nodes, lists)
+                                : node_partition.reinit(identities.owners, identities.keys, lists);
     own_positions.resize(positions.empty() ? 0 : node_partition.n_own());
     set_positions(positions);
 

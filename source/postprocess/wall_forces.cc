@@ -5,6 +5,8 @@
 #include <lahar/postprocess/postprocessor.h>
 #include <lahar/utilities/factory.h>
 
+#include <algorithm>
+
 namespace Lahar
 {
   /**
@@ -49,8 +51,13 @@ namespace Lahar
       Tensor<1, dim> force;
       for (const unsigned int particle : snapshot.mesh.particles())
       {
+        // Facets behind those of the walls are of solids.
+        const int n_facets    = snapshot.walls.facets().size();
+        const auto &slots     = snapshot.cloud.contact_facets[particle];
         const bool is_on_wall = snapshot.cloud.kind[particle] == ParticleKind::wall ||
-                                snapshot.cloud.in_contact(particle);
+                                std::any_of(slots.begin(), slots.end(), [n_facets](const int facet) {
+                                  return facet != ParticleCloud<dim>::no_facet && facet < n_facets;
+                                });
         if (is_on_wall && snapshot.cloud.is_own(particle) &&
             box.contains(snapshot.cloud.position[particle], 0.))
           force -= snapshot.cloud.reaction[particle];

@@ -41,8 +41,8 @@ namespace Lahar
     const WallStep<dim> contact_step = with_slick_solids(wall_step, old_position, time_step);
     stop_at_walls(old_position, contact_step, particles);
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    counters.kept_out += count_on_ranks(SolidContour<dim>(contour.facets_that_land(false), particles)
-                                          .keep_out(old_position, particles));
+    counters.kept_out += count_on_ranks(
+      SolidContour<dim>(contour.facets_that_land(false), particles).keep_out(old_position, particles));
     WallContact<dim>(contact_step).update(old_position, particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);

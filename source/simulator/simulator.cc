@@ -132,12 +132,12 @@ namespace Lahar
         // Where the slick solids will be at the end is not known yet.
         const WallStep<dim> contact_step = with_slick_solids(*wall_step, particles.position, time_step);
         inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
-        problem.start_step(
-          {fluid_mesh, particles, solids, migration, materials, input.gravity, time_integration,
-           time + time_step, constraints(contact_step), remeshing.arrives,
-           SlidingContact<dim>::find(fluid_mesh, particles, contact_step, surface_laws()),
-           SolidTouch<dim>::find(fluid_mesh, particles, contact_step, slick_facets()),
-           multipliers.values(), FluidStructure<dim>::of_cells(fluid_mesh, materials, particles), outlets});
+        problem.start_step({fluid_mesh, particles, solids, migration, materials, input.gravity,
+                            time_integration, time + time_step, constraints(contact_step), remeshing.arrives,
+                            SlidingContact<dim>::find(fluid_mesh, particles, contact_step, surface_laws()),
+                            SolidTouch<dim>::find(fluid_mesh, particles, contact_step, slick_facets()),
+                            multipliers.values(),
+                            FluidStructure<dim>::of_cells(fluid_mesh, materials, particles), outlets});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -319,7 +319,7 @@ namespace Lahar
       return rigid;
     const SolidContour<dim> contour(solids.mesh().contour(), particles);
     std::vector<WallFacet<dim>> end = of_solids(contour.wall_facets_that_land(true), walls), start = end;
-    const auto facets               = contour.facets_that_land(true);
+    const auto facets = contour.facets_that_land(true);
     for (unsigned int f = 0; f < start.size(); ++f)
       for (unsigned int v = 0; v < dim; ++v)
         start[f].corners[v] = old_position[facets[f][v]];

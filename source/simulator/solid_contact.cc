@@ -11,7 +11,7 @@ namespace Lahar
   namespace
   {
     /// β over what a layer of fluid of one mesh size resists.
-    constexpr double stiffness_factor = 100.;
+    constexpr double stiffness_factor = 1000.;
   } // namespace
 
 
@@ -32,7 +32,7 @@ namespace Lahar
       Contact contact;
       contact.touch      = touch;
       contact.multiplier = -touch.force;
-      contact.stiffness = stiffness_factor * touch.area * (law.density() * h / time_step + mu / h);
+      contact.stiffness  = stiffness_factor * touch.area * (law.density() * h / time_step + mu / h);
       all.push_back(contact);
     }
   }

@@ -112,7 +112,7 @@ namespace Lahar
     solid.get_positions(positions);
     for (unsigned int v = 0; v < region_mesh->n_vertices(); ++v)
       positions[RegionNode(v)] = cloud.position[region_mesh->particle(v)];
-    const bool is_alone = migration.is_alone();
+    const bool is_alone                      = migration.is_alone();
     const std::vector<unsigned int> contacts = contact.cells(solid.nodes());
     if (const auto now = std::make_tuple(region_mesh->connectivity_number(), solid.nodes(), contacts);
         !is_alone || now != numbered)

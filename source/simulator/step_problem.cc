@@ -277,7 +277,8 @@ namespace Lahar
         ++n_contacts[numbering.node(RegionVertex(contact.touch(k).vertex))];
       std::vector<double> on_fluid(dim * solid.nodes().size(), 0.);
       for (unsigned int k = 0; k < contact.n_contacts(); ++k)
-        if (const LocalNode node = numbering.node(RegionVertex(contact.touch(k).vertex)); numbering.is_own(node))
+        if (const LocalNode node = numbering.node(RegionVertex(contact.touch(k).vertex));
+            numbering.is_own(node))
         {
           // Where nothing else holds the vertex the force is all that the fluid exerts there, exact as that of a wall is.
           const bool is_alone           = n_contacts[node] == 1 && constraints[node].n_fixed == 0;

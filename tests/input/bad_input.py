@@ -285,6 +285,7 @@ def test_refused():
     wrong("Solids/beam/hypoelastic/Poisson's ratio", "0.5", "below 0.5", more=solid(beside))
     wrong("Solids/beam/hypoelastic/Young's modulus", "-1", more=solid(beside))
     wrong("Solids/beam/Law", "rubber", "hypoelastic", "neo-Hookean", more=solid(beside))
+    wrong("Solids/beam/Surface/Law", "inflow", "Allowed", "Coulomb", "free slip", more=solid(beside))
     wrong("Solids/beam/Shape", "ball", "box", "mesh", more=solid(beside))
     wrong("Solids/beam/box/Elements", "2, 0", "2 whole numbers", more=solid(beside))
     wrong("Solids/beam/box/Corners", "0, 0 : 0, 1", "differ in every coordinate", more=solid(beside))

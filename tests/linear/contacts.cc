@@ -36,9 +36,9 @@ void test_contact()
   // A frame turned in the first two components with its first row prescribed; a solid's node that is clamped.
   std::vector<NodeConstraint<dim>> constraints(2 * n);
   Tensor<2, dim> &frame = constraints[n - 1].frame;
-  frame[0][0] = frame[1][1] = 0.6;
-  frame[0][1]               = 0.8;
-  frame[1][0]               = -0.8;
+  frame[0][0] = frame[1][1]  = 0.6;
+  frame[0][1]                = 0.8;
+  frame[1][0]                = -0.8;
   constraints[n - 1].n_fixed = 1;
   constraints[n].n_fixed     = dim;
   system.set_constraints(constraints);
@@ -61,7 +61,9 @@ void test_contact()
   const auto turned = [&](const unsigned int node) {
     return node == n - 1 ? frame : Tensor<2, dim>(unit_symmetric_tensor<dim>());
   };
-  const auto is_fixed = [&](const unsigned int node, const unsigned int a) { return a < constraints[node].n_fixed; };
+  const auto is_fixed = [&](const unsigned int node, const unsigned int a) {
+    return a < constraints[node].n_fixed;
+  };
   for (unsigned int I = 0; I < n; ++I)
   {
     const unsigned int i       = solid.contacts[I];

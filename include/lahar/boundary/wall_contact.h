@@ -61,7 +61,8 @@ namespace Lahar
 
     /// Put a particle back on its facets where some are those of solids: the velocities are within the tolerance of the
     /// nonlinear iteration, which may be more than the particle is off a facet.
-    void put_on_solids(const unsigned int particle, const Point<dim> &old_position, ParticleCloud<dim> &cloud) const;
+    void put_on_solids(const unsigned int particle, const Point<dim> &old_position,
+                       ParticleCloud<dim> &cloud) const;
 
     /// On which side of a facet a point is at the end of the step; of one of a solid, outside.
     int side_of(const unsigned int facet, const Point<dim> &point) const;

@@ -76,7 +76,7 @@ namespace Lahar
       SlidingContact<dim> at; ///< with the vertex of the region's mesh
       LocalNode node;
       SlidingState<dim> state;
-      bool is_main; ///< whether the particle keeps its multiplier
+      bool is_main;                                            ///< whether the particle keeps its multiplier
       unsigned int with_solid = numbers::invalid_unsigned_int; ///< number of a contact with a solid
     };
 

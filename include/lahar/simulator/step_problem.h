@@ -254,8 +254,8 @@ namespace Lahar
     SolidStep<dim> solid;
     Numbering numbering;
     /// The mesh, the solids and the contacts that the system was made for.
-    std::tuple<unsigned int, IndexVector<SolidNode, RegionNode>, std::vector<unsigned int>> numbered = {
-      numbers::invalid_unsigned_int, {}, {}};
+    std::tuple<unsigned int, IndexVector<SolidNode, RegionNode>, std::vector<unsigned int>> numbered =
+      {numbers::invalid_unsigned_int, {}, {}};
     StepState<dim> step_state;
     IndexVector<LocalNode, NodeConstraint<dim>> constraints;
     Safeguards<dim> safeguards;
