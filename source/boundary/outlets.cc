@@ -154,11 +154,11 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>>
-  Outlets<dim>::forces(const std::vector<FacePressure<dim>> &pressures, const FluidMesh<dim> &mesh,
-                       const ParticleCloud<dim> &cloud, const unsigned int n_boundaries)
+  void Outlets<dim>::take_forces(const std::vector<FacePressure<dim>> &pressures, const FluidMesh<dim> &mesh,
+                                 const ParticleCloud<dim> &cloud, const MPI_Comm &communicator,
+                                 const Mean &mean)
   {
-    std::vector<Tensor<1, dim>> result(n_boundaries);
+    std::vector<Tensor<1, dim>> now(forces.size());
     for (const FacePressure<dim> &pressure : pressures)
     {
       const BoundaryFace &face = mesh.boundary_faces()[pressure.face];
@@ -169,14 +169,15 @@ namespace Lahar
       const double V     = signed_volume<dim>(corners);
       if (V == 0.)
         continue;
-      double mean = 0.;
+      double mean_pressure = 0.;
       for (unsigned int c = 0; c <= dim; ++c)
         if (c != face.opposite)
-          mean += pressure(corners[c]) / dim;
+          mean_pressure += pressure(corners[c]) / dim;
       // Area times n of the face is −dim V ∇N of the corner opposite to it.
-      result[pressure.boundary] -= mean * dim * V * shape_gradients<dim>(corners)[face.opposite];
+      now[pressure.boundary] -= mean_pressure * dim * V * shape_gradients<dim>(corners)[face.opposite];
     }
-    return result;
+    for (unsigned int b = 0; b < forces.size(); ++b)
+      forces[b] = mean(Utilities::MPI::sum(now[b], communicator), forces[b]);
   }
 
 

@@ -16,41 +16,37 @@ namespace Lahar
   void Simulator<dim>::move_particles(const double time_step, const WallStep<dim> &wall_step)
   {
     TimerOutput::Scope scope(timer, "Update");
-    const std::vector<Point<dim>> old_position = particles.position;
+    const std::vector<Point<dim>> old_position = region.particles.position;
     const std::vector<FacePressure<dim>> pressures =
-      outlets.pressures(fluid_mesh, particles, time + time_step, materials.largest_density() * input.gravity);
-    problem.accept(particles, solids);
+      outlets.pressures(region.mesh, region.particles, time + time_step,
+                        materials.largest_density() * input.gravity);
+    problem.accept(region.particles, solids);
     advance_history(time_step);
-    wall_step.carry_particles(old_position, particles);
-    inlets.carry(old_position, particles);
+    wall_step.carry_particles(old_position, region.particles);
+    inlets.carry(old_position, region.particles);
     take_mean_forces(pressures);
     if (input.geometry.has_fluid())
-    {
-      account.volume.solved(fluid_volume(), inlets.volume());
-      account.fluids.solved(fluid_volumes(), inflow_volumes());
-      account.momentum.start_step(time_integration.carried_time());
-      account.momentum.set(fluid_momentum());
-    }
+      account.solved(problem.time_integration().carried_time(), fluid());
 
-    const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(fluid_mesh, particles);
-    std::vector<bool> in_mesh(particles.size(), false);
-    for (const unsigned int particle : fluid_mesh.particles())
+    const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(region.mesh, region.particles);
+    std::vector<bool> in_mesh(region.particles.size(), false);
+    for (const unsigned int particle : region.mesh.particles())
       in_mesh[particle] = true;
-    solids.move_particles(in_mesh, particles);
-    move_isolated_particles(fluid_mesh, input.gravity, time_step, particles);
+    solids.move_particles(in_mesh, region.particles);
+    move_isolated_particles(region.mesh, input.gravity, time_step, region.particles);
     const WallStep<dim> contact_step = with_slick_solids(wall_step, old_position, time_step);
-    stop_at_walls(old_position, contact_step, particles);
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    counters.kept_out += count_on_ranks(
-      SolidContour<dim>(contour.facets_that_land(false), particles).keep_out(old_position, particles));
-    WallContact<dim>(contact_step).update(old_position, particles);
+    stop_at_walls(old_position, contact_step, region.particles);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
+    account.counters.kept_out += count_on_ranks(
+      SolidContour<dim>(contour.facets_that_land(false), region.particles).keep_out(old_position, region.particles));
+    WallContact<dim>(contact_step).update(old_position, region.particles);
     if (remesher.keeps_volume())
-      VolumeCorrection<dim>::owe_growth(fluid_mesh, volumes, particles);
-    migration.update(particles);
-    fluid_mesh.move(particles);
+      VolumeCorrection<dim>::owe_growth(region.mesh, volumes, region.particles);
+    migration.update(region.particles);
+    region.mesh.move(region.particles);
     if (input.geometry.has_fluid())
-      account.momentum.changed(fluid_momentum());
-    counters.cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
+      account.rearranged(fluid());
+    account.counters.cells = count_on_ranks(region.mesh.own_cells(region.particles).size());
   }
 
 
@@ -60,17 +56,17 @@ namespace Lahar
   {
     std::vector<double> before;
     if (has_multipliers())
-      before = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
-    FluidStructure<dim>::advance(fluid_mesh, materials, time_step, migration, particles);
+      before = FluidStructure<dim>::of_cells(region.mesh, materials, region.particles);
+    FluidStructure<dim>::advance(region.mesh, materials, time_step, migration, region.particles);
     if (!has_multipliers())
       return;
-    std::vector<SymmetricTensor<2, dim>> values = multipliers.values();
+    std::vector<SymmetricTensor<2, dim>> values = region.multipliers.values();
     problem.get_multipliers(values);
     // Where the yield stress has grown a smaller part of it carries the same load.
-    const std::vector<double> now = FluidStructure<dim>::of_cells(fluid_mesh, materials, particles);
+    const std::vector<double> now = FluidStructure<dim>::of_cells(region.mesh, materials, region.particles);
     for (unsigned int c = 0; c < now.size(); ++c)
       values[c] = project_deviator<dim>((1. + before[c]) / (1. + now[c]) * values[c]);
-    multipliers.set(fluid_mesh, particles, std::move(values));
+    region.multipliers.set(region.mesh, region.particles, std::move(values));
   }
 
 
@@ -78,21 +74,21 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::take_mean_forces(const std::vector<FacePressure<dim>> &pressures)
   {
-    const auto reactions = problem.reactions();
-    std::vector<Tensor<1, dim>> forces(particles.size());
+    const TimeIntegration &integration = problem.time_integration();
+    const auto reactions               = problem.reactions();
+    std::vector<Tensor<1, dim>> forces(region.particles.size());
     for (unsigned int v = 0; v < reactions.at_vertices.size(); ++v)
-      forces[fluid_mesh.particle(v)] = reactions.at_vertices[v];
+      forces[region.mesh.particle(v)] = reactions.at_vertices[v];
     // The solids' particles come first.
     for (unsigned int i = 0; i < solids.mesh().n_contour_nodes() && !reactions.of_slick_solids.empty(); ++i)
-      if (particles.kind[i] == ParticleKind::slick_solid)
+      if (region.particles.kind[i] == ParticleKind::slick_solid)
         forces[i] = reactions.of_slick_solids[i];
-    for (unsigned int i = 0; i < particles.size(); ++i)
-      particles.reaction[i] = time_integration.mean_force(forces[i], particles.reaction[i]);
-    const std::vector<Tensor<1, dim>> on_outlets = Outlets<dim>::forces(pressures, fluid_mesh, particles,
-                                                                        outlet_forces.size());
-    for (unsigned int b = 0; b < outlet_forces.size(); ++b)
-      outlet_forces[b] = time_integration.mean_force(Utilities::MPI::sum(on_outlets[b], communicator()),
-                                                     outlet_forces[b]);
+    for (unsigned int i = 0; i < region.particles.size(); ++i)
+      region.particles.reaction[i] = integration.mean_force(forces[i], region.particles.reaction[i]);
+    outlets.take_forces(pressures, region.mesh, region.particles, communicator(),
+                        [&](const Tensor<1, dim> &force, const Tensor<1, dim> &old_mean_force) {
+                          return integration.mean_force(force, old_mean_force);
+                        });
   }
 
 

@@ -6,7 +6,6 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -17,7 +16,7 @@ namespace Lahar
   template <typename Archive>
   void Simulator<dim>::save_or_load(Archive &archive)
   {
-    archive &particles.next_number;
+    archive &region.particles.next_number;
     SolidState<dim> solid_state = solids.state();
     archive &solid_state;
     if constexpr (Archive::is_loading::value)
@@ -26,9 +25,9 @@ namespace Lahar
         checkpoint.fail("has solids of another mesh", "the mesh files of the run");
       solids.accept(solid_state);
     }
-    archive &time &counters &account.volume &account.fluids &account.momentum;
-    for (Tensor<1, dim> &force : outlet_forces)
-      archive &force;
+    archive &time;
+    account.save_or_load(archive);
+    outlets.save_or_load_forces(archive);
     archive &*step_control &output;
   }
 
@@ -38,7 +37,7 @@ namespace Lahar
   void Simulator<dim>::write_due_checkpoint()
   {
     const bool was_removed = checkpoint.was_removed();
-    if (!checkpoint.is_due(counters.steps, output.wall_time(), was_removed))
+    if (!checkpoint.is_due(account.counters.steps, output.wall_time(), was_removed))
       return;
     output.mend(walls); // where the directory has another name now there is no checkpoint to write
     output.message(was_removed ? "Warning: the checkpoint in '" + input.run.output_directory +
@@ -52,29 +51,10 @@ namespace Lahar
   template <int dim>
   std::string Simulator<dim>::save_piece() const
   {
-    // The own cells with their fluids, their corners, the own particles, and values of the own cells.
-    std::vector<bool> is_saved(particles.size(), false);
-    std::vector<std::uint64_t> cells, keys;
-    std::vector<double> values;
-    for (unsigned int c = 0; c < fluid_mesh.n_cells(); ++c)
-      if (const Simplex<dim> &cell = fluid_mesh.particle_cells()[c]; particles.is_own(cell))
-      {
-        for (const unsigned int i : cell)
-        {
-          is_saved[i] = true;
-          cells.push_back(particles.number[i]);
-        }
-        cells.push_back(fluid_mesh.fluid(c));
-        if (!multipliers.values().empty())
-          CellTable<dim>::append(CellTable<dim>::key(cell, particles), multipliers.values()[c], keys, values);
-      }
-    std::vector<double> records;
-    for (unsigned int i = 0; i < particles.size(); ++i)
-      if (is_saved[i] || particles.is_own(i))
-        particles.append_record(i, records);
     std::ostringstream data;
     boost::archive::binary_oarchive archive(data, boost::archive::no_header);
-    archive << records << cells << keys << values << ill_posed_cells << migration;
+    region.save(archive);
+    archive << account.ill_posed_cells << migration;
     return data.str();
   }
 
@@ -84,59 +64,20 @@ namespace Lahar
   void Simulator<dim>::load_pieces(const RunCheckpoint::Content &content)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator());
-    std::vector<double> records;
-    std::vector<std::uint64_t> numbers;
+    typename FluidRegion<dim>::Pieces pieces;
     for (const std::string &piece : content.pieces)
     {
       std::istringstream data(piece);
       boost::archive::binary_iarchive archive(data, boost::archive::no_header);
-      std::vector<double> values, cell_values;
-      std::vector<std::uint64_t> piece_numbers, cell_keys;
-      archive >> values >> piece_numbers >> cell_keys >> cell_values >> ill_posed_cells;
-      multipliers.table().add_all(cell_keys, cell_values);
+      region.load(archive, n_ranks, pieces);
+      archive >> account.ill_posed_cells;
       if (content.same_ranks)
         archive >> migration;
-      // A rank's piece was read by this one.
-      for (std::size_t owner = particles.record_size() - 1; owner < values.size();
-           owner += particles.record_size())
-        values[owner] = static_cast<unsigned int>(values[owner]) % n_ranks;
-      records.insert(records.end(), values.begin(), values.end());
-      numbers.insert(numbers.end(), piece_numbers.begin(), piece_numbers.end());
     }
-    // All ranks have the solids' particles, as copies if no piece has them.
-    for (unsigned int i = 0; i < solids.mesh().n_contour_nodes(); ++i)
-    {
-      particles.position[i] = solids.state().position[i];
-      particles.velocity[i] = solids.state().velocity[i];
-      particles.append_record(i, records);
-      records.back() = n_ranks;
-    }
-    particles.reinit(records);
-    std::vector<Simplex<dim>> cells;
-    std::vector<unsigned int> fluids;
-    for (auto number = numbers.begin(); number != numbers.end(); number += dim + 2)
-    {
-      cells.emplace_back();
-      for (unsigned int c = 0; c <= dim; ++c)
-        cells.back()[c] = particles.find(number[c]);
-      fluids.push_back(number[dim + 1]);
-    }
-    fluid_mesh.reinit(particles, cells, fluids);
-    multipliers.table().sort();
+    region.reinit(std::move(pieces), solids, n_ranks);
     migrate();
     if (has_multipliers())
-      multipliers.follow(fluid_mesh, particles);
-  }
-
-
-
-  template <int dim>
-  std::pair<unsigned int, unsigned int> Simulator<dim>::particles_and_cells() const
-  {
-    unsigned int n_own = 0;
-    for (unsigned int i = 0; i < particles.size(); ++i)
-      n_own += particles.is_own(i);
-    return {count_on_ranks(n_own), count_on_ranks(fluid_mesh.own_cells(particles).size())};
+      region.multipliers.follow(region.mesh, region.particles);
   }
 
 
@@ -145,7 +86,7 @@ namespace Lahar
   std::string Simulator<dim>::save_state()
   {
     output.note_sizes();
-    const std::pair<unsigned int, unsigned int> counts = particles_and_cells();
+    const std::pair<unsigned int, unsigned int> counts = region.n_particles_and_cells(communicator());
     if (!is_first_rank(communicator()))
       return "";
     std::ostringstream data;
@@ -205,7 +146,7 @@ namespace Lahar
     if (input.geometry.any_boundary_moves())
       walls = input.geometry.walls_at(time);
     load_pieces(content);
-    if (const auto found = particles_and_cells(); found != counts)
+    if (const auto found = region.n_particles_and_cells(communicator()); found != counts)
       checkpoint.fail("gives " + std::to_string(found.first) + " particles and " +
                         std::to_string(found.second) + " cells",
                       std::to_string(counts.first) + " and " + std::to_string(counts.second) +

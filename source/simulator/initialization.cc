@@ -35,9 +35,9 @@ namespace Lahar
     for (const std::string &text : solids.create(input.mesh_size, input.run.start_time,
                                                  input.geometry.has_fluid() || input.gravity.norm() > 0.))
       output.warn(text);
-    solids.append_particles(input.mesh_size, input.surfaces.slick(), particles);
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    input.geometry.create(input.mesh_size, contour, particles, walls);
+    solids.append_particles(input.mesh_size, input.surfaces.slick(), region.particles);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
+    input.geometry.create(input.mesh_size, contour, region.particles, walls);
     if (input.geometry.any_boundary_moves())
       walls = input.geometry.walls_at(input.run.start_time); // to the last bit where a resumed run has them
     prm.enter_subsection("Linear solver");
@@ -48,34 +48,30 @@ namespace Lahar
         "Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; 'iterative' is.");
     for (const std::string &text : input.geometry.warnings(input.mesh_size.coarsest()))
       output.warn(text);
-    if (const std::string text = warn_of_open_floor(particles, obstacles(contour), input.gravity);
+    if (const std::string text = warn_of_open_floor(region.particles, obstacles(contour), input.gravity);
         !text.empty())
       output.warn(text);
     // As if the solids had come with their velocities for a second.
-    std::vector<Point<dim>> old_position = particles.position;
+    std::vector<Point<dim>> old_position = region.particles.position;
     for (unsigned int i = 0; i < solids.mesh().n_contour_nodes(); ++i)
-      old_position[i] -= particles.velocity[i];
-    WallContact<dim>(with_slick_solids(WallStep<dim>(walls), old_position, 1.)).initialize(particles);
-    inlets.start(input.geometry.inflows(), walls, particles);
+      old_position[i] -= region.particles.velocity[i];
+    WallContact<dim>(with_slick_solids(WallStep<dim>(walls), old_position, 1.)).initialize(region.particles);
+    inlets.start(input.geometry.inflows(), walls, region.particles);
     outlets = input.geometry.outlets();
-    outlets.check_initial(particles);
+    outlets.check_initial(region.particles);
     outlets.check_levels(input.gravity, materials.n_fluids());
-    if (outlets.any_level())
-      outlet_forces.resize(input.geometry.all_boundaries().size());
-    input.domain_limit.check_initial(prm, particles);
-    FluidStructure<dim>::prepare(materials, particles);
-    migration.distribute(particles, region_distance(), solids.mesh().n_contour_nodes());
+    outlets.start_forces(input.geometry.all_boundaries().size());
+    input.domain_limit.check_initial(prm, region.particles);
+    FluidStructure<dim>::prepare(materials, region.particles);
+    migration.distribute(region.particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();
-    FluidStructure<dim>::complete(fluid_mesh, materials, migration, particles);
-    inlets.find_shares(walls, particles, fluid_mesh, communicator());
-    inlets.start_step(particles, fluid_mesh, communicator(), input.run.start_time, 0.);
-    inlets.carry(particles.position, particles); // they move from the start
+    FluidStructure<dim>::complete(region.mesh, materials, migration, region.particles);
+    inlets.find_shares(walls, region.particles, region.mesh, communicator());
+    inlets.start_step(region.particles, region.mesh, communicator(), input.run.start_time, 0.);
+    inlets.carry(region.particles.position, region.particles); // they move from the start
     time = input.run.start_time;
-    remeshing.arrives.assign(fluid_mesh.n_vertices(), false);
-    account.volume.begin(fluid_volume());
-    if (materials.n_fluids() > 1)
-      account.fluids.begin(input.geometry.fluid_names(), fluid_volumes());
-    account.momentum.set(fluid_momentum());
+    region.remeshing.arrives.assign(region.mesh.n_vertices(), false);
+    account.begin(input.geometry.fluid_names(), fluid());
     output.initialize(snapshot());
     warn_of_coarse_mesh();
     checkpoint.remember_files();
@@ -88,24 +84,24 @@ namespace Lahar
   {
     for (unsigned int n_rounds = 0; n_rounds <= most_first_rounds; ++n_rounds)
     {
-      const SolidContour<dim> contour(solids.mesh().contour(), particles);
+      const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
       if (n_rounds > 0 &&
-          !remesher.adapt_first_particles(particles, obstacles(contour), fluid_mesh, migration))
+          !remesher.adapt_first_particles(region.particles, obstacles(contour), region.mesh, migration))
         break;
       if (materials.n_fluids() > 1)
-        input.geometry.put_on_interfaces(particles);
+        input.geometry.put_on_interfaces(region.particles);
       try
       {
-        remesher.create_mesh(particles, obstacles(contour), contour.facets_that_land(false),
-                             input.geometry.region(), migration, fluid_mesh);
+        remesher.create_mesh(region.particles, obstacles(contour), contour.facets_that_land(false),
+                             input.geometry.region(), migration, region.mesh);
         if (materials.n_fluids() > 1)
-          fluid_mesh.set_cell_fluids(input.geometry.cell_fluids(fluid_mesh, particles));
+          region.mesh.set_cell_fluids(input.geometry.cell_fluids(region.mesh, region.particles));
       }
       catch (const RunError &error)
       {
         throw InputError(std::string("Initial mesh: ") + error.what() + ".");
       }
-      if (input.geometry.has_fluid() && count_on_ranks(fluid_mesh.n_cells()) == 0)
+      if (input.geometry.has_fluid() && count_on_ranks(region.mesh.n_cells()) == 0)
         throw InputError("The fluid has no cell at 'Mesh size' " + prm.get("Mesh size") +
                          ". Allowed: a mesh size well below the size of the fluid.");
       migrate();
@@ -137,8 +133,8 @@ namespace Lahar
       warn(text);
     }
 
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    const FirstMeshCheck<dim> check(particles, fluid_mesh, migration);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
+    const FirstMeshCheck<dim> check(region.particles, region.mesh, migration);
     if (const auto shared = check.between_two_sides(walls); shared.n > 0.)
     {
       std::ostringstream text;
@@ -202,23 +198,23 @@ namespace Lahar
   std::string Simulator<dim>::sizes() const
   {
     std::ostringstream text;
-    const auto &vertices          = fluid_mesh.particles();
+    const auto &vertices          = region.mesh.particles();
     const unsigned int n_vertices = count_on_ranks(
       std::count_if(vertices.begin(), vertices.end(),
-                    [&](const unsigned int i) { return particles.is_own(i); }));
-    const unsigned int n_fluid_cells = count_on_ranks(fluid_mesh.own_cells(particles).size());
-    text << "Fluid particles  " << count_on_ranks(particles.n_particles(ParticleKind::fluid))
-         << "\nWall particles   " << count_on_ranks(particles.n_particles(ParticleKind::wall))
+                    [&](const unsigned int i) { return region.particles.is_own(i); }));
+    const unsigned int n_fluid_cells = count_on_ranks(region.mesh.own_cells(region.particles).size());
+    text << "Fluid particles  " << count_on_ranks(region.particles.n_particles(ParticleKind::fluid))
+         << "\nWall particles   " << count_on_ranks(region.particles.n_particles(ParticleKind::wall))
          << "\nFluid cells      " << n_fluid_cells << "\nUnknowns         " << (dim + 1) * n_vertices
          << "\nFluid volume     " << account.volume.initial_volume() << volume_unit<dim>();
     if (!solids.empty())
       text << "\nSolid nodes      " << solids.mesh().n_nodes() << "\nSolid cells      "
            << solids.mesh().n_cells();
     constexpr double thick = 10.;
-    if (const double ratio = FirstMeshCheck<dim>(particles, fluid_mesh, migration)
-                               .thinnest(obstacles(SolidContour<dim>(solids.mesh().contour(), particles)),
-                                         thick)
-                               .first;
+    if (const double ratio =
+          FirstMeshCheck<dim>(region.particles, region.mesh, migration)
+            .thinnest(obstacles(SolidContour<dim>(solids.mesh().contour(), region.particles)), thick)
+            .first;
         n_fluid_cells > 0)
     {
       text << "\nThinnest part    ";

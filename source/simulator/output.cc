@@ -11,7 +11,7 @@ namespace Lahar
   void Simulator<dim>::start_output()
   {
     if (checkpoint.is_resumed())
-      output.resume(time, counters.steps, sizes());
+      output.resume(time, account.counters.steps, sizes());
     else
       output.begin(snapshot(), sizes());
     checkpoint.begin(output.wall_time());
@@ -30,8 +30,17 @@ namespace Lahar
   template <int dim>
   Snapshot<dim> Simulator<dim>::snapshot()
   {
-    return {particles, fluid_mesh,     materials, input.gravity,        solids,        walls,
-            migration, output.means(), time,      &multipliers.table(), &outlet_forces};
+    return {region.particles,
+            region.mesh,
+            materials,
+            input.gravity,
+            solids,
+            walls,
+            migration,
+            output.means(),
+            time,
+            &region.multipliers.table(),
+            &outlets.mean_forces()};
   }
 
 
@@ -40,7 +49,7 @@ namespace Lahar
   void Simulator<dim>::add_statistics(const double time_step, const NonlinearReport &report)
   {
     TableHandler line;
-    line.add_value("Time step number", counters.steps);
+    line.add_value("Time step number", account.counters.steps);
     add_to_column(line, "Time (s)", time);
     add_to_column(line, "Time step size (s)", time_step);
     line.add_value("Nonlinear iterations", report.iterations);
@@ -55,17 +64,17 @@ namespace Lahar
       add_to_column(line, "Yield gap (W)", report.yield_gap);
       add_to_column(line, "Relative yield gap", report.relative_yield_gap);
     }
-    line.add_value("Fluid cells", counters.cells);
+    line.add_value("Fluid cells", account.counters.cells);
     line.add_value("Solid cells", solids.mesh().n_cells());
-    line.add_value("Fluid particles", count_on_ranks(particles.n_particles(ParticleKind::fluid)));
+    line.add_value("Fluid particles", count_on_ranks(region.particles.n_particles(ParticleKind::fluid)));
     account.volume.add_columns(line);
     account.fluids.add_columns(line);
-    line.add_value("Remeshed", static_cast<unsigned int>(remeshing.changed));
-    line.add_value("Rejected steps", counters.rejected);
+    line.add_value("Remeshed", static_cast<unsigned int>(region.remeshing.changed));
+    line.add_value("Rejected steps", account.counters.rejected);
     if (!solids.empty())
     {
-      line.add_value("Mended contour facets", counters.forced_facets);
-      line.add_value("Particles kept out of solids", counters.kept_out);
+      line.add_value("Mended contour facets", account.counters.forced_facets);
+      line.add_value("Particles kept out of solids", account.counters.kept_out);
     }
     if (inlets.any())
     {
@@ -74,13 +83,13 @@ namespace Lahar
     }
     if (outlets.any())
     {
-      line.add_value("Particles gone out", counters.gone_out);
+      line.add_value("Particles gone out", account.counters.gone_out);
       account.volume.add_outflow_column(line);
       account.momentum.add_outflow_columns(line);
     }
     if (input.domain_limit.is_set())
     {
-      line.add_value("Particles left the domain", counters.left);
+      line.add_value("Particles left the domain", account.counters.left);
       account.volume.add_left_column(line);
     }
     if (input.geometry.has_fluid())
@@ -88,15 +97,15 @@ namespace Lahar
 
     std::ostringstream increments;
     for (unsigned int i = 0; i < report.increments.size(); ++i)
-      increments << counters.steps << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first << ' '
-                 << report.increments[i].second << '\n';
+      increments << account.counters.steps << ' ' << time << ' ' << i + 1 << ' ' << report.increments[i].first
+                 << ' ' << report.increments[i].second << '\n';
     output.start_step(time_step);
     output.write_statistics(line, snapshot(), increments.str());
-    if (const std::string news = account.volume.news(particles, time, communicator()); !news.empty())
+    if (const std::string news = account.volume.news(region.particles, time, communicator()); !news.empty())
       output.message(news);
-    ill_posed_cells.add(snapshot());
-    output.step({counters.steps, time, time_step, report.iterations, report.velocity_increment,
-                 report.pressure_increment, counters.cells, account.volume.change()});
+    account.ill_posed_cells.add(snapshot());
+    output.step({account.counters.steps, time, time_step, report.iterations, report.velocity_increment,
+                 report.pressure_increment, account.counters.cells, account.volume.change()});
   }
 
 

@@ -21,7 +21,6 @@ namespace Lahar
   void Simulator<dim>::declare_parameters(Parameters &prm, const CaseStructure &structure)
   {
     Case<dim>::declare_parameters(prm, structure);
-    TimeIntegration::declare_parameters(prm);
     Solids<dim>::declare_parameters(prm, structure.solids);
     Remesher<dim>::declare_parameters(prm);
     NonlinearScheme<dim>::declare_parameters(prm);
@@ -44,7 +43,6 @@ namespace Lahar
     solids.parse_parameters(prm, structure.solids);
     input.parse_parameters(prm, structure);
     materials = input.geometry.materials();
-    time_integration.parse_parameters(prm);
     remesher.parse_parameters(prm);
     remesher.set_number_of_fluids(materials.n_fluids());
     scheme       = NonlinearScheme<dim>::create(prm);
@@ -85,7 +83,7 @@ namespace Lahar
   template <int dim>
   double Simulator<dim>::region_distance() const
   {
-    return remesher.region_distance(particles, fluid_mesh, solids.longest_edge(), communicator());
+    return remesher.region_distance(region.particles, region.mesh, solids.longest_edge(), communicator());
   }
 
 
@@ -93,16 +91,8 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::migrate()
   {
-    migration.migrate(particles, fluid_mesh, region_distance(), solids.mesh().n_contour_nodes(),
-                      has_multipliers() ? &multipliers.table() : nullptr);
-  }
-
-
-
-  template <int dim>
-  double Simulator<dim>::sum_of_ranks(const double value) const
-  {
-    return Utilities::MPI::sum(value, communicator());
+    migration.migrate(region.particles, region.mesh, region_distance(), solids.mesh().n_contour_nodes(),
+                      has_multipliers() ? &region.multipliers.table() : nullptr);
   }
 
 
@@ -119,7 +109,7 @@ namespace Lahar
   void Simulator<dim>::step(double time_step)
   {
     check_ranks();
-    if (counters.steps > 0 && input.geometry.has_fluid())
+    if (account.counters.steps > 0 && input.geometry.has_fluid())
       remesh(time_step);
 
     NonlinearReport report;
@@ -127,17 +117,17 @@ namespace Lahar
     for (bool accepted = false; !accepted;)
       try
       {
-        time_integration.start_step(time_step, counters.steps == 0);
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
         // Where the slick solids will be at the end is not known yet.
-        const WallStep<dim> contact_step = with_slick_solids(*wall_step, particles.position, time_step);
-        inlets.start_step(particles, fluid_mesh, communicator(), time, time_step);
-        problem.start_step({fluid_mesh, particles, solids, migration, materials, input.gravity,
-                            time_integration, time + time_step, constraints(contact_step), remeshing.arrives,
-                            SlidingContact<dim>::find(fluid_mesh, particles, contact_step, surface_laws()),
-                            SolidTouch<dim>::find(fluid_mesh, particles, contact_step, slick_facets()),
-                            multipliers.values(),
-                            FluidStructure<dim>::of_cells(fluid_mesh, materials, particles), outlets});
+        const WallStep<dim> contact_step = with_slick_solids(*wall_step, region.particles.position, time_step);
+        inlets.start_step(region.particles, region.mesh, communicator(), time, time_step);
+        problem.start_step(
+          {region.mesh, region.particles, solids, migration, materials, input.gravity, time, time_step,
+           account.counters.steps == 0, constraints(contact_step), region.remeshing.arrives,
+           SlidingContact<dim>::find(region.mesh, region.particles, contact_step, surface_laws()),
+           SolidTouch<dim>::find(region.mesh, region.particles, contact_step, slick_facets()),
+           region.multipliers.values(),
+           FluidStructure<dim>::of_cells(region.mesh, materials, region.particles), outlets});
         report = scheme->solve(problem, [this] {
           if (StopSignal::received(communicator()) != 0)
             throw StopRequest();
@@ -158,7 +148,7 @@ namespace Lahar
                          "; the last snapshot and the checkpoint show the state before this step");
         }
         output.message(message.str() + "; repeated with half the step");
-        ++counters.rejected;
+        ++account.counters.rejected;
       }
     step_control->accept(report.iterations);
 
@@ -167,7 +157,7 @@ namespace Lahar
     if (wall_step->any_moves())
       walls = Walls<dim>(wall_step->end());
     time += time_step;
-    ++counters.steps;
+    ++account.counters.steps;
     TimerOutput::Scope scope(timer, "Output");
     add_statistics(time_step, report);
     stop_at_collision(old_position, *wall_step);
@@ -180,44 +170,39 @@ namespace Lahar
   {
     TimerOutput::Scope scope(timer, "Remesh");
     exchange_fluid();
-    if (const unsigned int n_dropped = count_on_ranks(input.domain_limit.drop_outside(particles, fluid_mesh)))
-    {
-      counters.left += n_dropped;
-      account.volume.left(fluid_volume());
-      account.fluids.left(fluid_volumes());
-      account.momentum.set(fluid_momentum());
-    }
+    if (const unsigned int n_dropped = count_on_ranks(
+          input.domain_limit.drop_outside(region.particles, region.mesh)))
+      account.left(n_dropped, fluid());
     migrate();
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
-    input.mesh_size.update(particles);
-    const std::map<std::uint64_t, double> layers = inlets.layers(particles, fluid_mesh);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
+    input.mesh_size.update(region.particles);
+    const std::map<std::uint64_t, double> layers = inlets.layers(region.particles, region.mesh);
     if (has_multipliers())
-      multipliers.spread(fluid_mesh, materials.n_fluids(), particles, migration);
+      region.multipliers.spread(region.mesh, materials.n_fluids(), region.particles, migration);
     try
     {
-      remeshing = remesher.remesh(particles, obstacles(contour), contour.facets_that_land(false), time_step,
-                                  fluid_mesh, migration);
+      region.remeshing = remesher.remesh(region.particles, obstacles(contour), contour.facets_that_land(false),
+                                         time_step, region.mesh, migration);
     }
     catch (const RunError &error)
     {
       throw RunError("Time " + std::to_string(time) + " s, remeshing: " + error.what() + ".");
     }
     if (has_multipliers())
-      multipliers.follow(fluid_mesh, particles);
-    FluidStructure<dim>::complete(fluid_mesh, materials, migration, particles);
+      region.multipliers.follow(region.mesh, region.particles);
+    FluidStructure<dim>::complete(region.mesh, materials, migration, region.particles);
     if (remesher.keeps_volume())
-      inlets.owe_layers(layers, fluid_mesh, migration, particles);
-    counters.forced_facets += count_on_ranks(remeshing.n_forced);
-    account.volume.remeshed(fluid_volume());
-    account.fluids.remeshed(fluid_volumes());
+      inlets.owe_layers(layers, region.mesh, migration, region.particles);
+    account.counters.forced_facets += count_on_ranks(region.remeshing.n_forced);
+    account.remeshed(fluid());
     if (materials.n_fluids() > 1 && remesher.keeps_volume() && materials.all_incompressible())
     {
-      InterfaceCorrection<dim>::apply(account.fluids.excess(), obstacles(contour), fluid_mesh, particles,
-                                      migration);
-      account.fluids.corrected(fluid_volumes());
+      InterfaceCorrection<dim>::apply(account.fluids.excess(), obstacles(contour), region.mesh,
+                                      region.particles, migration);
+      account.corrected(fluid());
     }
-    account.momentum.changed(fluid_momentum());
-    if (count_on_ranks(fluid_mesh.n_cells()) == 0 && solids.empty())
+    account.rearranged(fluid());
+    if (count_on_ranks(region.mesh.n_cells()) == 0 && solids.empty())
       throw RunError("Time " + std::to_string(time) +
                      " s: no fluid cell is left, all particles are isolated or have left the domain.");
   }
@@ -227,18 +212,13 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::exchange_fluid()
   {
-    if (const unsigned int n_dropped = count_on_ranks(outlets.drop(particles, fluid_mesh)))
+    if (const unsigned int n_dropped = count_on_ranks(outlets.drop(region.particles, region.mesh)))
+      account.went_out(n_dropped, fluid());
+    const std::uint64_t first_number = region.particles.next_number;
+    if (inlets.renew(walls, communicator(), region.particles, region.mesh) > 0)
     {
-      counters.gone_out += n_dropped;
-      account.volume.went_out(fluid_volume());
-      account.fluids.went_out(fluid_volumes());
-      account.momentum.went_out(fluid_momentum());
-    }
-    const std::uint64_t first_number = particles.next_number;
-    if (inlets.renew(walls, communicator(), particles, fluid_mesh) > 0)
-    {
-      account.momentum.came_in(fluid_momentum());
-      FluidStructure<dim>::refresh(first_number, materials, particles);
+      account.came_in(fluid());
+      FluidStructure<dim>::refresh(first_number, materials, region.particles);
     }
   }
 
@@ -248,8 +228,8 @@ namespace Lahar
   double Simulator<dim>::fastest_movement() const
   {
     double fastest = std::numeric_limits<double>::min();
-    for (const unsigned int i : fluid_mesh.particles())
-      fastest = std::max(fastest, particles.velocity[i].norm() / particles.spacing[i]);
+    for (const unsigned int i : region.mesh.particles())
+      fastest = std::max(fastest, region.particles.velocity[i].norm() / region.particles.spacing[i]);
     fastest = Utilities::MPI::max(fastest, communicator());
     // A step that lets inflow move by half of its spacing at most.
     return std::max(fastest, 2. * input.run.largest_movement * inlets.fastest(time, input.run.time_step));
@@ -260,7 +240,7 @@ namespace Lahar
   template <int dim>
   void Simulator<dim>::check_movements() const
   {
-    const auto [movement, place] = problem.largest_movement(particles);
+    const auto [movement, place] = problem.largest_movement(region.particles);
     if (movement > 2. * input.run.largest_movement)
     {
       std::ostringstream message;
@@ -305,7 +285,7 @@ namespace Lahar
   {
     if (!input.surfaces.any_slick())
       return {};
-    return SolidContour<dim>(solids.mesh().contour(), particles).facets_that_land(true);
+    return SolidContour<dim>(solids.mesh().contour(), region.particles).facets_that_land(true);
   }
 
 
@@ -317,7 +297,7 @@ namespace Lahar
   {
     if (!input.surfaces.any_slick())
       return rigid;
-    const SolidContour<dim> contour(solids.mesh().contour(), particles);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
     std::vector<WallFacet<dim>> end = of_solids(contour.wall_facets_that_land(true), walls), start = end;
     const auto facets = contour.facets_that_land(true);
     for (unsigned int f = 0; f < start.size(); ++f)
@@ -344,10 +324,10 @@ namespace Lahar
   {
     const WallContact<dim> wall_contact(wall_step);
     std::vector<NodeConstraint<dim>> result;
-    result.reserve(fluid_mesh.n_vertices());
-    for (const unsigned int particle : fluid_mesh.particles())
-      result.push_back(wall_contact.constraint(particle, particles));
-    inlets.constrain(particles, fluid_mesh, result);
+    result.reserve(region.mesh.n_vertices());
+    for (const unsigned int particle : region.mesh.particles())
+      result.push_back(wall_contact.constraint(particle, region.particles));
+    inlets.constrain(region.particles, region.mesh, result);
     return result;
   }
 

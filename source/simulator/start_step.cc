@@ -20,12 +20,12 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::start_step(const Start &start)
   {
-    region_mesh      = &start.mesh;
-    materials        = start.materials;
-    time_integration = start.time_integration;
-    solid.start(start.solids, *region_mesh, time_integration.with_gamma(start.solids.newmark_gamma()),
-                start.end_time);
-    contact.start_step(start.touches, *region_mesh, start.cloud, materials, time_integration.length());
+    region_mesh = &start.mesh;
+    materials   = start.materials;
+    integration.start_step(start.time_step, start.is_first);
+    const double end_time = start.time + start.time_step;
+    solid.start(start.solids, *region_mesh, integration.with_gamma(start.solids.newmark_gamma()), end_time);
+    contact.start_step(start.touches, *region_mesh, start.cloud, materials, start.time_step);
     set_constraints(start, reinit_system(start.cloud, start.migration));
     linear_solver->forget();
 
@@ -33,11 +33,11 @@ namespace Lahar
     for (const Vertex v : numbering.vertices())
       impulsive.push_back(start.arrives[numbering.region_vertex(v).value()] ||
                           constraints[numbering.node(v)].n_fixed == dim);
-    fluid.start(*mesh, start.cloud, time_integration, start.gravity, impulsive);
-    fluid.state.face_pressures = start.outlets.pressures(*mesh, start.cloud, start.end_time,
+    fluid.start(*mesh, start.cloud, integration, start.gravity, impulsive);
+    fluid.state.face_pressures = start.outlets.pressures(*mesh, start.cloud, end_time,
                                                          materials.largest_density() * start.gravity);
-    friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials,
-                        start.time_integration.length(), numbering, communicator());
+    friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials, start.time_step, numbering,
+                        communicator());
     contact.number(system, numbering);
     friction.join(contact);
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));
@@ -50,7 +50,7 @@ namespace Lahar
       start_multipliers(start.multipliers);
     assembler.set_stabilization(*mesh, materials, fluid.state);
     // There is no pressure yet: the residual is the weight, not the divergence of a stress.
-    if (time_integration.is_first_step())
+    if (integration.is_first_step())
       fluid.state.residual_projection.assign(materials.n_fluids() * mesh->n_vertices(), Tensor<1, dim>());
     update_by_fluid(fluid.state.residual_projection);
     if (materials.any_yields())

@@ -27,7 +27,7 @@ namespace Lahar
     if (!multipliers.empty())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         state.multiplier[c] = multipliers[system.cells()[c]];
-    if (time_integration.is_first_step())
+    if (integration.is_first_step())
       return;
 
     const auto is_exact = [&](const unsigned int c) {
@@ -94,7 +94,7 @@ namespace Lahar
     }
     auto own                          = assembler.yield_gap(*mesh, materials, fluid.state, counted);
     const std::vector<double> volumes = fluid.new_volumes();
-    const double rate = time_integration.acceleration_factor(false) / time_integration.velocity_factor(false);
+    const double rate = integration.acceleration_factor(false) / integration.velocity_factor(false);
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
       if (counted[c] && !fluid.state.left_out[c] && materials.counts_in_gap(mesh->fluid(c)))
         own.energy += materials.law(mesh->fluid(c)).density() * volumes[c] * rate * standing_velocity *

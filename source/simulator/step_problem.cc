@@ -21,6 +21,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::declare_parameters(Parameters &prm)
   {
+    TimeIntegration::declare_parameters(prm);
     FluidAssembler<dim>::declare_parameters(prm);
     LinearSolver<dim>::declare_parameters(prm);
     prm.enter_subsection("Nonlinear solver");
@@ -37,6 +38,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::parse_parameters(Parameters &prm)
   {
+    integration.parse_parameters(prm);
     assembler.parse_parameters(prm);
     linear_solver = LinearSolver<dim>::create(prm);
     prm.enter_subsection("Nonlinear solver");

@@ -55,7 +55,7 @@ namespace Lahar
         interrupted = true;
         break;
       }
-      cell_steps += counters.cells;
+      cell_steps += account.counters.cells;
 
       TimerOutput::Scope scope(timer, "Output");
       output.write_due_snapshot(snapshot());
@@ -65,9 +65,10 @@ namespace Lahar
       keep_state();
     write_kept_state();
     if (signal != 0)
-      output.message(StopSignal::name(signal) + ": stopped after step " + std::to_string(counters.steps) +
-                     " at " + std::to_string(time) + " s. Option --resume goes on from here.");
-    if (const std::string text = ill_posed_cells.warning(communicator()); !text.empty())
+      output.message(StopSignal::name(signal) + ": stopped after step " +
+                     std::to_string(account.counters.steps) + " at " + std::to_string(time) +
+                     " s. Option --resume goes on from here.");
+    if (const std::string text = account.ill_posed_cells.warning(communicator()); !text.empty())
       output.message(text);
     if (cell_steps > 0.)
       output.summary(timer, cell_steps);

@@ -104,9 +104,35 @@ def check_rooms():
         if path.read_text(encoding="utf-8").count("\n") > 400]), long)
 
 
+def members(header, name):
+    """Data members of a class: what remains of its declarations without functions and types."""
+    text = re.sub(r"//.*|/\*(.|\n)*?\*/", "", header.read_text(encoding="utf-8"))
+    text = text[re.search(rf"\b(class|struct) {name}\s*{{", text).end():].split("\n  };")[0]
+    text = re.sub(r"=\s*{[^{}]*}", "", text)
+    while (without := re.sub(r"{[^{}]*}", ";", text)) != text:
+        text = without
+    while (without := re.sub(r"<[^<>]*>", "", text)) != text:
+        text = without
+    found = []
+    for declaration in re.sub(r"\b(public|private|protected):", "", text).split(";"):
+        names = re.sub(r"=[^,]*", "", declaration)
+        if names.strip() and "(" not in names and not re.match(r"\s*(using|template|friend|static|enum)\b", names):
+            found += [part.split()[-1] for part in names.split(",")]
+    return found
+
+
+def check_members():
+    """The time step stays on one page only if what it works with are few things."""
+    header = ROOT / "include/lahar/simulator/simulator.h"
+    found = members(header, "Simulator")
+    check("Simulator's members are found", {"&prm", "input", "problem", "time", "checkpoint"} <= set(found), found)
+    check("Simulator has at most 20 members", len(found) <= 20, found)
+
+
 check_links()
 check_changes()
 check_yaml()
 check_rooms()
+check_members()
 check_scripts()
 sys.exit(1 if failed else 0)

@@ -9,6 +9,7 @@
 #include <lahar/remeshing/fluid_mesh.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -61,10 +62,31 @@ namespace Lahar
     std::vector<FacePressure<dim>> pressures(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                                              const double time, const Tensor<1, dim> &weight) const;
 
-    /// The forces of the fluid on what presses on its own cells' faces, N (N/m in 2D), one for each of @p n_boundaries.
-    static std::vector<Tensor<1, dim>> forces(const std::vector<FacePressure<dim>> &pressures,
-                                              const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                              const unsigned int n_boundaries);
+    /// A run begins with @p n_boundaries boundaries and no force.
+    void start_forces(const unsigned int n_boundaries)
+    {
+      forces.assign(any_level() ? n_boundaries : 0, Tensor<1, dim>());
+    }
+
+    /// A mean force from that at the end of a step and the last mean force.
+    using Mean = std::function<Tensor<1, dim>(const Tensor<1, dim> &, const Tensor<1, dim> &)>;
+
+    /// After a step: mean_forces() go on with the forces of the fluid on what presses on its faces. Collective.
+    void take_forces(const std::vector<FacePressure<dim>> &pressures, const FluidMesh<dim> &mesh,
+                     const ParticleCloud<dim> &cloud, const MPI_Comm &communicator, const Mean &mean);
+
+    /// By boundary the mean force of the fluid on what stands behind it, N (N/m in 2D); empty if no outlet has a level.
+    const std::vector<Tensor<1, dim>> &mean_forces() const
+    {
+      return forces;
+    }
+
+    template <typename Archive>
+    void save_or_load_forces(Archive &archive)
+    {
+      for (Tensor<1, dim> &force : forces)
+        archive &force;
+    }
 
     /// Drop what has passed through. @return the number of this rank's own particles among it.
     unsigned int drop(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh) const;
@@ -80,6 +102,7 @@ namespace Lahar
     std::vector<double> directions;    ///< by facet: 1 if fluid leaves to the side of its normal, else −1
     std::vector<std::string> names;    ///< of the boundaries, by facet
     std::vector<const Outflow *> laws; ///< by facet
+    std::vector<Tensor<1, dim>> forces;
   };
 } // namespace Lahar
 

@@ -9,23 +9,15 @@
 #include <lahar/boundary/outlets.h>
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/geometry/walls.h>
-#include <lahar/particles/particle_cloud.h>
-#include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
-#include <lahar/remeshing/plastic_multipliers.h>
-#include <lahar/remeshing/remesher.h>
+#include <lahar/simulator/accounts.h>
 #include <lahar/simulator/case.h>
-#include <lahar/simulator/fluid_accounts.h>
-#include <lahar/simulator/ill_posed_cells.h>
-#include <lahar/simulator/momentum_account.h>
+#include <lahar/simulator/fluid_region.h>
 #include <lahar/simulator/nonlinear_scheme.h>
 #include <lahar/simulator/run_checkpoint.h>
 #include <lahar/simulator/run_output.h>
 #include <lahar/simulator/step_control.h>
-#include <lahar/simulator/step_counters.h>
 #include <lahar/simulator/step_problem.h>
-#include <lahar/simulator/time_integration.h>
-#include <lahar/simulator/volume_account.h>
 #include <lahar/solid/solids.h>
 
 #include <memory>
@@ -77,12 +69,12 @@ namespace Lahar
     /// What this rank knows of the particles.
     const ParticleCloud<dim> &cloud() const
     {
-      return particles;
+      return region.particles;
     }
 
     const FluidMesh<dim> &mesh() const
     {
-      return fluid_mesh;
+      return region.mesh;
     }
 
   private:
@@ -104,17 +96,13 @@ namespace Lahar
     double region_distance() const;
     /// Bring particles and mesh to where they belong.
     void migrate();
-    /// Sums over the ranks.
-    double sum_of_ranks(const double value) const;
+    /// Sum over the ranks.
     unsigned int count_on_ranks(const unsigned int n) const;
-    /// Of the cells, what isolated particles carry, and what comes in at present, on all ranks.
-    double fluid_volume() const;
-    /// The same of each fluid, where there are several.
-    std::vector<double> fluid_volumes() const;
-    /// What comes in of each fluid in the step, where there are several, m^dim.
-    std::vector<double> inflow_volumes() const;
-    /// See MomentumAccount.
-    Tensor<1, dim> fluid_momentum() const;
+    /// What the accounts look at.
+    typename Accounts<dim>::Fluid fluid() const
+    {
+      return {region.mesh, region.particles, inlets, materials, communicator()};
+    }
     /// Whether there is an exact yield stress, whose multipliers are carried along.
     bool has_multipliers() const
     {
@@ -172,14 +160,11 @@ namespace Lahar
     std::string save_state();
     std::string save_piece() const;
     void load_pieces(const RunCheckpoint::Content &content);
-    /// Own particles and cells on all ranks.
-    std::pair<unsigned int, unsigned int> particles_and_cells() const;
 
     Parameters &prm;
     Case<dim> input;
     Materials materials; ///< of its fluids
     Solids<dim> solids;
-    TimeIntegration time_integration;
     Remesher<dim> remesher;
     Migration<dim> migration;
     std::unique_ptr<NonlinearScheme<dim>> scheme;
@@ -188,23 +173,12 @@ namespace Lahar
     StepProblem<dim> problem;
 
     double time = 0.; ///< s
-    ParticleCloud<dim> particles;
+    FluidRegion<dim> region;
     Walls<dim> walls;
     Inlets<dim> inlets;
     Outlets<dim> outlets;
-    std::vector<Tensor<1, dim>> outlet_forces; ///< mean forces on what stands behind them, by boundary, N
-    FluidMesh<dim> fluid_mesh;
-    typename Remesher<dim>::Report remeshing; ///< the last one
-    PlasticMultipliers<dim> multipliers;      ///< where a yield stress is exact
 
-    StepCounters counters;
-    struct
-    {
-      VolumeAccount<dim> volume;
-      FluidAccounts<dim> fluids;
-      MomentumAccount<dim> momentum;
-    } account;
-    IllPosedCells<dim> ill_posed_cells;
+    Accounts<dim> account;
     RunOutput<dim> output;
     RunCheckpoint checkpoint;
   };

@@ -64,8 +64,9 @@ namespace Lahar
       const Migration<dim> &migration;
       Materials materials;
       Tensor<1, dim> gravity; ///< m/s²
-      const TimeIntegration &time_integration;
-      double end_time; ///< s
+      double time;            ///< s
+      double time_step;       ///< s
+      bool is_first;          ///< whether the step is a run's first one
       /// By vertex; the particles' velocities and accelerations obey them already, but for what boundaries that
       /// move prescribe.
       std::vector<NodeConstraint<dim>> constraints;
@@ -199,6 +200,12 @@ namespace Lahar
     /// Collective.
     Reactions reactions() const;
 
+    /// The rule, in the step that was started last.
+    const TimeIntegration &time_integration() const
+    {
+      return integration;
+    }
+
     const Materials &fluids() const
     {
       return materials;
@@ -249,7 +256,7 @@ namespace Lahar
     const FluidMesh<dim> *mesh        = nullptr; ///< what this rank works on of it
     FluidMesh<dim> part;                         ///< this, on several ranks
     Materials materials;
-    TimeIntegration time_integration;
+    TimeIntegration integration;
     FluidStep<dim> fluid;
     SolidStep<dim> solid;
     Numbering numbering;
