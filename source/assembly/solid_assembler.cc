@@ -7,7 +7,8 @@ namespace Lahar
   template <int dim>
   bool SolidAssembler<dim>::assemble(const Solids<dim> &solids, const SolidState<dim> &state,
                                      const SolidFactors &factors, const SolidLoads<dim> &loads,
-                                     const std::vector<unsigned int> &nodes, BlockSystem<dim> &system) const
+                                     const IndexVector<SolidNode, RegionNode> &nodes,
+                                     BlockSystem<dim> &system) const
   {
     const SolidMesh<dim> &mesh = solids.mesh();
     const unsigned int n = mesh.nodes_per_cell(), n_q = mesh.points_per_cell();
@@ -85,7 +86,7 @@ namespace Lahar
       system.add_solid(k, matrix, residual);
     }
     for (unsigned int i = 0; i < loads.external_forces.size(); ++i)
-      system.add_solid(nodes[i], -loads.external_forces[i]);
+      system.add_solid(nodes[SolidNode(i)], -loads.external_forces[i]);
     return true;
   }
 

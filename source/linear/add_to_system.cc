@@ -14,11 +14,12 @@ namespace Lahar
     const unsigned int *cell = &local_solid_cells[static_cast<std::size_t>(k) * n];
     for (unsigned int I = 0; I < n; ++I)
     {
+      const LocalNode node(cell[I]);
       for (unsigned int a = 0; a < dim; ++a)
-        solid_residuals[cell[I]][a] += residual[I * dim + a];
-      Assert(constraints[cell[I]].n_fixed == 0 || constraints[cell[I]].n_fixed == dim,
+        solid_residuals[node][a] += residual[I * dim + a];
+      Assert(constraints[node].n_fixed == 0 || constraints[node].n_fixed == dim,
              ExcMessage("A solid's node is free or has its whole velocity prescribed."));
-      if (constraints[cell[I]].n_fixed == dim)
+      if (constraints[node].n_fixed == dim)
         for (unsigned int a = 0; a < dim; ++a)
         {
           const unsigned int i  = I * dim + a;
@@ -32,8 +33,8 @@ namespace Lahar
     for (unsigned int I = 0; I < n; ++I)
     {
       for (unsigned int a = 0; a < dim; ++a)
-        velocity_diagonals[cell[I]][a] += matrix(I * dim + a, I * dim + a);
-      if (cell[I] >= node_partition.n_own())
+        velocity_diagonals[LocalNode(cell[I])][a] += matrix(I * dim + a, I * dim + a);
+      if (!node_partition.is_own(LocalNode(cell[I])))
         continue;
       double *K_rows = block_values[0][0] +
                        dim * dim * static_cast<std::size_t>(all_graph.row_start[cell[I]]);
@@ -52,25 +53,25 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::add_solid(const unsigned int node, const Tensor<1, dim> &residual)
+  void BlockSystem<dim>::add_solid(const RegionNode node, const Tensor<1, dim> &residual)
   {
-    const unsigned int l = node_partition.local(node);
-    if (l >= node_partition.n_own())
+    const LocalNode l = node_partition.local(node);
+    if (!node_partition.is_own(l))
       return;
     solid_residuals[l] += residual;
     if (constraints[l].n_fixed == 0)
       for (unsigned int a = 0; a < dim; ++a)
-        rhs_values[0][dim * l + a] -= residual[a];
+        rhs_values[0][dim * l.value() + a] -= residual[a];
   }
 
 
 
   template <int dim>
-  void BlockSystem<dim>::add_at_node(const unsigned int node, const Tensor<1, dim> &residual,
+  void BlockSystem<dim>::add_at_node(const LocalNode node, const Tensor<1, dim> &residual,
                                      const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure)
   {
-    AssertIndexRange(node, constraints.size());
-    if (node >= node_partition.n_with_rows())
+    AssertIndexRange(node.value(), constraints.size());
+    if (!node_partition.has_row(node))
       return;
     const NodeConstraint<dim> &constraint = constraints[node];
     const bool is_skew                    = constraint.n_fixed > 0 && constraint.n_fixed < dim;
@@ -78,9 +79,9 @@ namespace Lahar
     const Tensor<1, dim> force = frame * residual, column = frame * by_pressure;
     const Tensor<2, dim> block = frame * by_velocity * transpose(frame);
 
-    const unsigned int number = fluid_numbers[node];
-    const bool own            = node < node_partition.n_own();
-    const std::size_t start   = pressure_graph.row_start[number] -
+    const unsigned int l = node.value(), number = fluid_numbers[l];
+    const bool own          = node_partition.is_own(node);
+    const std::size_t start = pressure_graph.row_start[number] -
                               (own ? 0 : pressure_graph.row_start[n_own_pressures]),
                       degree = pressure_graph.degree(number);
     double *Q_rows           = (own ? block_values[0][1] : halo_gradient.data()) + dim * start;
@@ -92,10 +93,9 @@ namespace Lahar
         Q_rows[a * degree + place] += column[a];
       if (!own)
         continue;
-      rhs_values[0][dim * node + a] -= force[a];
-      double *K = block_values[0][0] +
-                  dim * dim * static_cast<std::size_t>(velocity_graph().row_start[node]) +
-                  dim * (a * velocity_graph().degree(node) + velocity_graph().place(node, node));
+      rhs_values[0][dim * l + a] -= force[a];
+      double *K = block_values[0][0] + dim * dim * static_cast<std::size_t>(velocity_graph().row_start[l]) +
+                  dim * (a * velocity_graph().degree(l) + velocity_graph().place(l, l));
       for (unsigned int b = constraint.n_fixed; b < dim; ++b)
         K[b] += block[a][b];
     }
@@ -109,39 +109,39 @@ namespace Lahar
   {
     const unsigned int *nodes    = &local_contacts[static_cast<std::size_t>(k) * n_corners];
     const unsigned short *places = &contact_places[static_cast<std::size_t>(k) * n_corners * n_corners];
-    const auto frame             = [&](const unsigned int node) {
-      const NodeConstraint<dim> &constraint = constraints[node];
+    const auto frame             = [&](const NodeConstraint<dim> &constraint) {
       return constraint.n_fixed > 0 && constraint.n_fixed < dim
                            ? constraint.frame
                            : Tensor<2, dim>(unit_symmetric_tensor<dim>());
     };
     for (unsigned int I = 0; I < n_corners; ++I)
     {
-      const unsigned int node = nodes[I];
-      if (node >= node_partition.n_with_rows())
+      const LocalNode node(nodes[I]);
+      if (node.value() >= node_partition.n_with_rows())
         continue;
-      const Tensor<2, dim> frame_I = frame(node);
+      const Tensor<2, dim> frame_I = frame(constraints[node]);
       const Tensor<1, dim> force   = weights[I] * (frame_I * residual);
-      const bool own               = node < node_partition.n_own();
+      const bool own               = node_partition.is_own(node);
       for (unsigned int J = 0; J < n_corners; ++J)
       {
+        const NodeConstraint<dim> &constraint_J = constraints[LocalNode(nodes[J])];
         const Tensor<2, dim> block = weights[I] * weights[J] *
-                                     (frame_I * by_velocity * transpose(frame(nodes[J])));
+                                     (frame_I * by_velocity * transpose(frame(constraint_J)));
         for (unsigned int a = constraints[node].n_fixed; a < dim; ++a)
         {
           if (I == J)
             velocity_diagonals[node][a] += block[a][a];
           if (!own)
             continue;
-          double *K = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node]) +
-                      dim * (a * all_graph.degree(node) + places[I * n_corners + J]);
-          for (unsigned int b = constraints[nodes[J]].n_fixed; b < dim; ++b)
+          double *K = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node.value()]) +
+                      dim * (a * all_graph.degree(node.value()) + places[I * n_corners + J]);
+          for (unsigned int b = constraint_J.n_fixed; b < dim; ++b)
             K[b] += block[a][b];
         }
       }
       if (own)
         for (unsigned int a = constraints[node].n_fixed; a < dim; ++a)
-          rhs_values[0][dim * node + a] -= force[a];
+          rhs_values[0][dim * node.value() + a] -= force[a];
     }
   }
 
@@ -149,11 +149,11 @@ namespace Lahar
 
   template void BlockSystem<2>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
   template void BlockSystem<3>::add_solid(const unsigned int, FullMatrix<double> &, dealii::Vector<double> &);
-  template void BlockSystem<2>::add_solid(const unsigned int, const Tensor<1, 2> &);
-  template void BlockSystem<3>::add_solid(const unsigned int, const Tensor<1, 3> &);
-  template void BlockSystem<2>::add_at_node(const unsigned int, const Tensor<1, 2> &, const Tensor<2, 2> &,
+  template void BlockSystem<2>::add_solid(const RegionNode, const Tensor<1, 2> &);
+  template void BlockSystem<3>::add_solid(const RegionNode, const Tensor<1, 3> &);
+  template void BlockSystem<2>::add_at_node(const LocalNode, const Tensor<1, 2> &, const Tensor<2, 2> &,
                                             const Tensor<1, 2> &);
-  template void BlockSystem<3>::add_at_node(const unsigned int, const Tensor<1, 3> &, const Tensor<2, 3> &,
+  template void BlockSystem<3>::add_at_node(const LocalNode, const Tensor<1, 3> &, const Tensor<2, 3> &,
                                             const Tensor<1, 3> &);
   template void BlockSystem<2>::add_contact(const unsigned int, const std::array<double, 3> &,
                                             const Tensor<1, 2> &, const Tensor<2, 2> &);

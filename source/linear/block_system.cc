@@ -41,7 +41,7 @@ namespace Lahar
 
   template <int dim>
   void BlockSystem<dim>::reinit(const unsigned int new_n_fluid_nodes, const std::vector<Cell> &cells,
-                                const SolidPart &solids, const std::vector<Point<dim>> &positions,
+                                const SolidPart &solids, const IndexVector<RegionNode, Point<dim>> &positions,
                                 const NodeIdentities &identities)
   {
     const unsigned int n_nodes       = new_n_fluid_nodes + solids.n_nodes,
@@ -70,8 +70,8 @@ namespace Lahar
     bool changed = n_patterns == 0 || nodes_change || solids.nodes_per_cell != nodes_per_solid_cell ||
                    new_cells != local_cells || new_solid_cells != local_solid_cells ||
                    new_contacts != local_contacts;
-    for (unsigned int l = 0; l < constraints.size() && !changed; ++l)
-      changed = is_fluid(l) != (node_partition.nodes()[l] < n_fluid_nodes);
+    for (const LocalNode l : constraints.indices())
+      changed = changed || is_fluid(l) != (node_partition.nodes()[l].value() < n_fluid_nodes);
     if (Utilities::MPI::max(changed ? 1U : 0U, node_partition.communicator()) == 0)
       return;
 
@@ -85,18 +85,17 @@ namespace Lahar
     rhs = make_vector();
     for (unsigned int b = 0; b < 2; ++b)
       rhs_values[b] = rhs.block(b).begin();
-    residuals.resize(node_partition.nodes().size());
-    solid_residuals.resize(node_partition.nodes().size());
-    velocity_diagonals.resize(node_partition.nodes().size());
+    for (auto *values : {&residuals, &solid_residuals, &velocity_diagonals})
+      values->assign(node_partition.nodes().size(), Tensor<1, dim>());
   }
 
 
 
   template <int dim>
-  void BlockSystem<dim>::set_positions(const std::vector<Point<dim>> &positions)
+  void BlockSystem<dim>::set_positions(const IndexVector<RegionNode, Point<dim>> &positions)
   {
     for (unsigned int l = 0; l < own_positions.size(); ++l)
-      own_positions[l] = positions[node_partition.nodes()[l]];
+      own_positions[l] = positions[node_partition.nodes()[LocalNode(l)]];
   }
 
 
@@ -104,19 +103,18 @@ namespace Lahar
   template <int dim>
   void BlockSystem<dim>::number_unknowns()
   {
-    const std::vector<unsigned int> &nodes = node_partition.nodes();
+    const IndexVector<LocalNode, RegionNode> &nodes = node_partition.nodes();
     fluid_numbers.assign(1, 0);
     local_numbers.clear();
-    for (unsigned int l = 0; l < nodes.size(); ++l)
+    IndexVector<LocalNode, bool> has_pressure;
+    for (const LocalNode l : nodes.indices())
     {
-      if (nodes[l] < n_fluid_nodes)
+      has_pressure.push_back(nodes[l].value() < n_fluid_nodes);
+      if (has_pressure[l])
         local_numbers.push_back(l);
       fluid_numbers.push_back(local_numbers.size());
     }
-    n_own_pressures = fluid_numbers[node_partition.n_own()];
-    std::vector<bool> has_pressure;
-    for (const unsigned int node : nodes)
-      has_pressure.push_back(node < n_fluid_nodes);
+    n_own_pressures    = fluid_numbers[node_partition.n_own()];
     n_pressures_before = node_partition.count_before(has_pressure);
 
     std::vector<Cell> numbered_cells = local_cells;
@@ -152,10 +150,12 @@ namespace Lahar
   void BlockSystem<dim>::make_matrices()
   {
     const unsigned int n_own = node_partition.n_own(), n_rows = node_partition.n_with_rows();
-    std::vector<unsigned int> pressures;
-    for (const unsigned int l : local_numbers)
+    std::vector<unsigned int> velocities, pressures;
+    for (const GlobalNode node : node_partition.global_numbers())
+      velocities.push_back(node.value());
+    for (const LocalNode l : local_numbers)
       pressures.push_back(n_pressures_before[l]);
-    const NodalUnknowns unknowns[2] = {{node_partition.global_numbers(), n_own, n_rows, dim},
+    const NodalUnknowns unknowns[2] = {{velocities, n_own, n_rows, dim},
                                        {pressures, n_own_pressures, fluid_numbers[n_rows], 1}};
     block_matrix.reinit(2, 2);
     for (unsigned int row = 0; row < 2; ++row)
@@ -180,12 +180,12 @@ namespace Lahar
       pressures(Utilities::MPI::sum(n_own_pressures, node_partition.communicator()));
     if (n_own > 0)
     {
-      const unsigned int first = node_partition.global_numbers()[0];
+      const unsigned int first = node_partition.global_numbers()[LocalNode(0)].value();
       velocities.add_range(dim * first, dim * (first + n_own));
     }
     if (n_own_pressures > 0)
     {
-      const unsigned int first = n_pressures_before[local_numbers[0]];
+      const unsigned int first = n_pressures_before[local_numbers[Vertex(0)]];
       pressures.add_range(first, first + n_own_pressures);
     }
     return Vector({velocities, pressures}, node_partition.communicator());
@@ -194,7 +194,7 @@ namespace Lahar
 
 
   template <int dim>
-  void BlockSystem<dim>::set_constraints(const std::vector<NodeConstraint<dim>> &new_constraints)
+  void BlockSystem<dim>::set_constraints(const IndexVector<LocalNode, NodeConstraint<dim>> &new_constraints)
   {
     AssertDimension(new_constraints.size(), node_partition.nodes().size());
     constraints = new_constraints;
@@ -215,10 +215,9 @@ namespace Lahar
         std::fill_n(block_values[row][column], n_entries * components[row] * components[column], 0.);
       }
     std::fill(halo_gradient.begin(), halo_gradient.end(), 0.);
-    std::fill(velocity_diagonals.begin(), velocity_diagonals.end(), Tensor<1, dim>());
     rhs = 0.;
-    std::fill(residuals.begin(), residuals.end(), Tensor<1, dim>());
-    std::fill(solid_residuals.begin(), solid_residuals.end(), Tensor<1, dim>());
+    for (auto *values : {&residuals, &solid_residuals, &velocity_diagonals})
+      std::fill(values->raw().begin(), values->raw().end(), Tensor<1, dim>());
   }
 
 
@@ -230,11 +229,11 @@ namespace Lahar
     const Cell &cell = local_cells[k];
     for (unsigned int I = 0; I < n_corners; ++I)
       for (unsigned int a = 0; a < dim; ++a)
-        residuals[cell[I]][a] += residual[I * n_corners + a];
+        residuals[LocalNode(cell[I])][a] += residual[I * n_corners + a];
 
     std::array<const NodeConstraint<dim> *, n_corners> corner_constraints;
     for (unsigned int I = 0; I < n_corners; ++I)
-      corner_constraints[I] = &constraints[cell[I]];
+      corner_constraints[I] = &constraints[LocalNode(cell[I])];
     auto local_matrix   = matrix;
     auto local_residual = residual;
     eliminate_prescribed<dim>(corner_constraints, local_matrix, local_residual);
@@ -245,7 +244,7 @@ namespace Lahar
       if (node >= node_partition.n_with_rows())
         continue;
       for (unsigned int a = 0; a < dim; ++a)
-        velocity_diagonals[node][a] += local_matrix[I * n_corners + a][I * n_corners + a];
+        velocity_diagonals[LocalNode(node)][a] += local_matrix[I * n_corners + a][I * n_corners + a];
       const bool own          = node < node_partition.n_own();
       const std::size_t start = pressure_graph.row_start[number] -
                                 (own ? 0 : pressure_graph.row_start[n_own_pressures]),
@@ -287,17 +286,18 @@ namespace Lahar
 
 
   template <int dim>
-  const Tensor<1, dim> &BlockSystem<dim>::velocity_diagonal(const unsigned int local_node) const
+  const Tensor<1, dim> &BlockSystem<dim>::velocity_diagonal(const LocalNode node) const
   {
-    AssertIndexRange(local_node, node_partition.n_with_rows());
-    return velocity_diagonals[local_node];
+    AssertIndexRange(node.value(), node_partition.n_with_rows());
+    return velocity_diagonals[node];
   }
 
 
 
   template <int dim>
-  const double *BlockSystem<dim>::gradient_row(const unsigned int number, const unsigned int a) const
+  const double *BlockSystem<dim>::gradient_row(const Vertex fluid_number, const unsigned int a) const
   {
+    const unsigned int number = fluid_number.value();
     const std::size_t start = pressure_graph.row_start[number], degree = pressure_graph.degree(number),
                       own = pressure_graph.row_start[n_own_pressures];
     return (number < n_own_pressures ? block_values[0][1] + dim * start
@@ -308,11 +308,11 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>> BlockSystem<dim>::velocities(const Vector &solution) const
+  IndexVector<LocalNode, Tensor<1, dim>> BlockSystem<dim>::velocities(const Vector &solution) const
   {
-    std::vector<Tensor<1, dim>> result(node_partition.nodes().size());
+    IndexVector<LocalNode, Tensor<1, dim>> result(node_partition.nodes().size());
     const double *value = solution.block(0).begin();
-    for (unsigned int l = 0; l < node_partition.n_own(); ++l)
+    for (const LocalNode l : node_partition.own_nodes())
     {
       for (unsigned int a = 0; a < dim; ++a, ++value)
         if (a >= constraints[l].n_fixed) // an iterative solver leaves an error there
@@ -327,14 +327,15 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<double> BlockSystem<dim>::pressures(const Vector &solution) const
+  IndexVector<Vertex, double> BlockSystem<dim>::pressures(const Vector &solution) const
   {
-    std::vector<double> by_node(node_partition.nodes().size(), 0.), result;
+    IndexVector<LocalNode, double> by_node(node_partition.nodes().size(), 0.);
+    IndexVector<Vertex, double> result;
     const double *value = solution.block(1).begin();
-    for (unsigned int number = 0; number < n_own_pressures; ++number)
-      by_node[local_numbers[number]] = value[number];
+    for (const Vertex number : IndexRange<Vertex>(n_own_pressures))
+      by_node[local_numbers[number]] = value[number.value()];
     node_partition.update(by_node);
-    for (const unsigned int l : local_numbers)
+    for (const LocalNode l : local_numbers)
       result.push_back(by_node[l]);
     return result;
   }

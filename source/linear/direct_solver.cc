@@ -138,17 +138,18 @@ namespace Lahar
      * pressures.
      */
     template <int dim, typename Velocity, typename Pressure>
-    void for_each_entry(const BlockSystem<dim> &system, const unsigned int node, const Velocity &velocity,
+    void for_each_entry(const BlockSystem<dim> &system, const LocalNode node, const Velocity &velocity,
                         const Pressure &pressure)
     {
       const NodalGraph &all = system.velocity_graph(), &fluid = system.graph();
-      const unsigned int number   = system.fluid_number(node);
+      const unsigned int row = node.value(), number = system.fluid_number(node).value();
       const unsigned int n_fluid  = system.is_fluid(node) ? fluid.degree(number) : 0;
       const unsigned int *columns = n_fluid > 0 ? &fluid.columns[fluid.row_start[number]] : nullptr;
-      for (unsigned int k = 0, l = 0; k < all.degree(node); ++k)
+      for (unsigned int k = 0, l = 0; k < all.degree(row); ++k)
       {
         velocity(k);
-        if (l < n_fluid && system.local_number(columns[l]) == all.columns[all.row_start[node] + k])
+        if (l < n_fluid &&
+            system.local_number(Vertex(columns[l])).value() == all.columns[all.row_start[row] + k])
           pressure(l++);
       }
     }
@@ -161,20 +162,21 @@ namespace Lahar
       const unsigned int n_own = system.partition().n_own();
 
       std::vector<int> unknowns;
-      for (unsigned int i = 0; i < system.partition().n_with_rows(); ++i)
+      for (const LocalNode i : IndexRange<LocalNode>(system.partition().n_with_rows()))
         for (unsigned int a = 0; a < dim + (system.is_fluid(i) ? 1U : 0U); ++a)
           unknowns.push_back(
-            first_unknown<dim>(system.partition().global_numbers()[i], system.pressures_before()[i]) + a);
+            first_unknown<dim>(system.partition().global_numbers()[i].value(), system.pressures_before()[i]) +
+            a);
       const auto &communicator = system.matrix().block(0, 0).trilinos_matrix().Comm();
       const Epetra_Map rows(-1, static_cast<int>(first_unknown<dim>(n_own, system.n_own_fluid_nodes())),
                             unknowns.data(), 0, communicator),
         column_map(-1, static_cast<int>(unknowns.size()), unknowns.data(), 0, communicator);
 
       std::vector<int> row_lengths;
-      for (unsigned int i = 0; i < n_own; ++i)
+      for (const LocalNode i : system.partition().own_nodes())
       {
-        const unsigned int n_fluid = system.is_fluid(i) ? fluid.degree(system.fluid_number(i)) : 0;
-        row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i) + n_fluid);
+        const unsigned int n_fluid = system.is_fluid(i) ? fluid.degree(system.fluid_number(i).value()) : 0;
+        row_lengths.insert(row_lengths.end(), dim, dim * all.degree(i.value()) + n_fluid);
         if (system.is_fluid(i))
           row_lengths.push_back((dim + 1) * n_fluid);
       }
@@ -182,23 +184,24 @@ namespace Lahar
 
       std::vector<int> velocity_row, pressure_row;
       std::vector<double> zeros;
-      for (unsigned int i = 0; i < n_own; ++i)
+      for (const LocalNode i : system.partition().own_nodes())
       {
         velocity_row.clear();
         pressure_row.clear();
         for_each_entry(
           system, i,
           [&](const unsigned int k) {
-            const unsigned int column = all.columns[all.row_start[i] + k];
+            const LocalNode column(all.columns[all.row_start[i.value()] + k]);
             for (unsigned int b = 0; b < dim; ++b)
-              velocity_row.push_back(first_unknown<dim>(column, system.fluid_number(column)) + b);
+              velocity_row.push_back(first_unknown<dim>(column.value(), system.fluid_number(column).value()) +
+                                     b);
           },
           [&](const unsigned int) {
             velocity_row.push_back(velocity_row.back() + 1);
             pressure_row.insert(pressure_row.end(), velocity_row.end() - dim - 1, velocity_row.end());
           });
         zeros.assign(velocity_row.size(), 0.);
-        const unsigned int row = first_unknown<dim>(i, system.fluid_number(i));
+        const unsigned int row = first_unknown<dim>(i.value(), system.fluid_number(i).value());
         for (unsigned int a = 0; a < dim; ++a)
           matrix->InsertMyValues(row + a, velocity_row.size(), zeros.data(), velocity_row.data());
         if (system.is_fluid(i))
@@ -218,7 +221,7 @@ namespace Lahar
 
       const double *K = system.values(0, 0), *Q = system.values(0, 1), *C = system.values(1, 0),
                    *H = system.values(1, 1);
-      for (unsigned int i = 0; i < system.partition().n_own(); ++i)
+      for (const LocalNode i : system.partition().own_nodes())
       {
         for (unsigned int a = 0; a < dim; ++a)
           for_each_entry(
@@ -229,7 +232,7 @@ namespace Lahar
             },
             [&](const unsigned int) { *values++ = *Q++; });
         if (system.is_fluid(i))
-          for (unsigned int k = 0; k < system.graph().degree(system.fluid_number(i)); ++k)
+          for (unsigned int k = 0; k < system.graph().degree(system.fluid_number(i).value()); ++k)
           {
             for (unsigned int b = 0; b < dim; ++b)
               *values++ = *C++;

@@ -39,21 +39,21 @@ namespace Lahar
     numbers_here.clear();
     for (unsigned int node = 0; node < owners.size(); ++node)
       if (owners[node] == rank)
-        numbers_here.push_back(node);
+        numbers_here.push_back(RegionNode(node));
     n_own_nodes = numbers_here.size();
     find_known(owners, lists);
-    local_numbers.assign(owners.size(), numbers::invalid_unsigned_int);
-    for (unsigned int l = 0; l < numbers_here.size(); ++l)
+    local_numbers.assign(owners.size(), LocalNode());
+    for (const LocalNode l : numbers_here.indices())
       local_numbers[numbers_here[l]] = l;
 
     std::vector<unsigned int> new_owners, copies;
     std::vector<std::uint64_t> new_keys;
-    for (unsigned int l = 0; l < numbers_here.size(); ++l)
+    for (const LocalNode l : numbers_here.indices())
     {
-      new_owners.push_back(owners[numbers_here[l]]);
-      new_keys.push_back(keys[numbers_here[l]]);
-      if (l >= n_own_nodes)
-        copies.push_back(l);
+      new_owners.push_back(owners[numbers_here[l].value()]);
+      new_keys.push_back(keys[numbers_here[l].value()]);
+      if (!is_own(l))
+        copies.push_back(l.value());
     }
     const bool changed = old_counts != std::make_pair(n_own_nodes, n_row_nodes) ||
                          new_owners != owners_here || new_keys != keys_here;
@@ -69,30 +69,33 @@ namespace Lahar
                         AssertThrow(place != keys.end() && *place == key &&
                                       owners[place - keys.begin()] == rank,
                                     ExcMessage("A rank knows a node whose owner does not."));
-                        return local_numbers[place - keys.begin()];
+                        return local_numbers[RegionNode(place - keys.begin())].value();
                       });
-    n_all_nodes        = Utilities::MPI::sum(n_own_nodes, mpi_communicator);
-    numbers_everywhere = count_before(std::vector<bool>(numbers_here.size(), true));
+    n_all_nodes = Utilities::MPI::sum(n_own_nodes, mpi_communicator);
+    numbers_everywhere.clear();
+    for (const unsigned int n_before : count_before(IndexVector<LocalNode, bool>(numbers_here.size(), true)))
+      numbers_everywhere.push_back(GlobalNode(n_before));
     return true;
   }
 
 
 
-  std::vector<unsigned int> NodePartition::count_before(const std::vector<bool> &marked) const
+  IndexVector<LocalNode, unsigned int>
+  NodePartition::count_before(const IndexVector<LocalNode, bool> &marked) const
   {
     unsigned int n_marked = std::count(marked.begin(), marked.begin() + n_own_nodes, true), n_before = 0;
     const int ierr = MPI_Exscan(&n_marked, &n_before, 1, MPI_UNSIGNED, MPI_SUM, mpi_communicator);
     AssertThrowMPI(ierr);
     if (Utilities::MPI::this_mpi_process(mpi_communicator) == 0)
       n_before = 0; // which MPI leaves undefined
-    std::vector<double> counts(numbers_here.size(), 0.);
-    for (unsigned int l = 0; l < n_own_nodes; ++l)
+    IndexVector<LocalNode, double> counts(numbers_here.size(), 0.);
+    for (const LocalNode l : own_nodes())
     {
       counts[l] = n_before;
       n_before += marked[l];
     }
     update(counts);
-    return {counts.begin(), counts.end()};
+    return IndexVector<LocalNode, unsigned int>(std::vector<unsigned int>(counts.begin(), counts.end()));
   }
 
 
@@ -100,8 +103,8 @@ namespace Lahar
   void NodePartition::find_known(const std::vector<unsigned int> &owners, const std::vector<CellList> &lists)
   {
     std::vector<bool> known(owners.size(), false);
-    for (const unsigned int node : numbers_here)
-      known[node] = true;
+    for (const RegionNode node : numbers_here)
+      known[node.value()] = true;
     const auto is_known = [&](const unsigned int node) { return known[node]; };
 
     // Twice the other nodes of the cells with a known node: the halo, then the outer nodes.
@@ -122,8 +125,10 @@ namespace Lahar
       });
       added.erase(std::unique(added.begin(), added.end()), added.end());
       for (const unsigned int node : added)
+      {
         known[node] = true;
-      numbers_here.insert(numbers_here.end(), added.begin(), added.end());
+        numbers_here.push_back(RegionNode(node));
+      }
       if (layer == 0)
         n_row_nodes = numbers_here.size();
     }
@@ -137,7 +142,7 @@ namespace Lahar
     result.reserve(known_cells[list].size() * cells.nodes_per_cell);
     for (const unsigned int c : known_cells[list])
       for (const unsigned int *node = cells.begin(c); node != cells.end(c); ++node)
-        result.push_back(local_numbers[*node]);
+        result.push_back(local_numbers[RegionNode(*node)].value());
     return result;
   }
 } // namespace Lahar

@@ -10,11 +10,9 @@ namespace Lahar
     partition         = &new_partition;
     n_region_vertices = new_n_region_vertices;
     n_own             = 0;
-    region_nodes.clear();
     nodes_of_vertices.clear();
     known_solid_nodes.clear();
-    for (const unsigned int node : partition->nodes())
-      region_nodes.push_back(RegionNode(node));
+    region_nodes = partition->nodes();
     for (const LocalNode node : nodes())
       if (is_vertex(node))
       {

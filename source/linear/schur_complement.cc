@@ -15,7 +15,7 @@ namespace Lahar
     const double *C = system.values(1, 0), *H = system.values(1, 1);
 
     std::vector<int> global_numbers;
-    for (unsigned int number = 0; number < system.graph().n_rows(); ++number)
+    for (const Vertex number : IndexRange<Vertex>(system.graph().n_rows()))
       global_numbers.push_back(system.pressures_before()[system.local_number(number)]);
     const Epetra_Map rows(-1, static_cast<int>(system.n_own_fluid_nodes()), global_numbers.data(), 0,
                           system.matrix().block(0, 0).trilinos_matrix().Comm());
@@ -39,11 +39,11 @@ namespace Lahar
       {
         add(columns[k], H[k]);
         const unsigned int node = columns[k], start = row_start[node], degree = row_start[node + 1] - start;
-        const Tensor<1, dim> &diagonal = system.velocity_diagonal(system.local_number(node));
+        const Tensor<1, dim> &diagonal = system.velocity_diagonal(system.local_number(Vertex(node)));
         for (unsigned int a = 0; a < dim; ++a)
         {
           const double factor = -C[dim * k + a] / diagonal[a];
-          const double *Q     = system.gradient_row(node, a);
+          const double *Q     = system.gradient_row(Vertex(node), a);
           if (factor != 0.)
             for (unsigned int l = 0; l < degree; ++l)
               add(columns[start + l], factor * Q[l]);

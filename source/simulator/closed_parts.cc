@@ -29,28 +29,29 @@ namespace Lahar
 
   template <int dim>
   void ClosedParts<dim>::fix_levels(const std::vector<Simplex<dim>> &cells,
-                                    const std::vector<Point<dim>> &positions, const NodePartition &partition,
-                                    const std::vector<bool> &is_compressible,
-                                    std::vector<NodeConstraint<dim>> &constraints)
+                                    const IndexVector<LocalNode, Point<dim>> &positions,
+                                    const NodePartition &partition,
+                                    const IndexVector<LocalNode, bool> &is_compressible,
+                                    IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
     const unsigned int n_nodes = constraints.size();
     boost::disjoint_sets_with_storage<> parts(n_nodes);
-    std::vector<Tensor<1, dim>> area(n_nodes); // ∫ ∇N_I
-    std::vector<double> size(n_nodes, 0.);
+    IndexVector<LocalNode, Tensor<1, dim>> area(n_nodes); // ∫ ∇N_I
+    IndexVector<LocalNode, double> size(n_nodes, 0.);
     for (const Simplex<dim> &cell : cells)
     {
-      const auto corners = corners_of<dim>(cell, positions);
+      const auto corners = corners_of<dim>(cell, positions.raw());
       const auto G       = shape_gradients<dim>(corners);
       for (unsigned int I = 0; I <= dim; ++I)
       {
         const Tensor<1, dim> share = signed_volume<dim>(corners) * G[I];
-        area[cell[I]] += share;
-        size[cell[I]] += share.norm();
+        area[LocalNode(cell[I])] += share;
+        size[LocalNode(cell[I])] += share.norm();
         parts.union_set(cell[0], cell[I]);
       }
     }
-    std::vector<double> gives_way(n_nodes, 0.);
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    IndexVector<LocalNode, double> gives_way(n_nodes, 0.);
+    for (const LocalNode i : constraints.indices())
     {
       Tensor<1, dim> free_part = area[i];
       for (unsigned int a = 0; a < constraints[i].n_fixed; ++a)
@@ -67,10 +68,10 @@ namespace Lahar
 
     label.assign(n_nodes, -1.);
     bool any = false;
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    for (const LocalNode i : constraints.indices())
       if (gives_way[i] == 0. && size[i] > 0.)
       {
-        label[i] = partition.global_numbers()[i];
+        label[i] = partition.global_numbers()[i].value();
         any      = true;
       }
     is_any = Utilities::MPI::max(any ? 1U : 0U, partition.communicator()) == 1U;
@@ -78,8 +79,8 @@ namespace Lahar
       return;
     partition.update(label);
     spread_largest(parts, partition, label);
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      if (label[i] == partition.global_numbers()[i])
+    for (const LocalNode i : constraints.indices())
+      if (label[i] == partition.global_numbers()[i].value())
         constraints[i].fixed_pressure = true;
   }
 
@@ -87,7 +88,7 @@ namespace Lahar
 
   template <int dim>
   void ClosedParts<dim>::check(const std::vector<Simplex<dim>> &cells,
-                               const std::vector<Point<dim>> &positions,
+                               const IndexVector<LocalNode, Point<dim>> &positions,
                                const std::vector<double> &old_volumes, const std::vector<double> &new_volumes,
                                const NodePartition &partition) const
   {
@@ -99,12 +100,12 @@ namespace Lahar
     for (unsigned int c = 0; c < cells.size(); ++c)
     {
       // A cell counts on the rank of its node with the smallest number.
-      const std::vector<unsigned int> &number = partition.global_numbers();
-      const unsigned int node                 = *std::min_element(cells[c].begin(), cells[c].end(),
-                                                                  [&](const unsigned int a, const unsigned int b) {
-                                                    return number[a] < number[b];
-                                                  });
-      if (label[node] >= 0. && node < partition.n_own())
+      const auto &number = partition.global_numbers();
+      const LocalNode node(
+        *std::min_element(cells[c].begin(), cells[c].end(), [&](const unsigned int a, const unsigned int b) {
+          return number[LocalNode(a)] < number[LocalNode(b)];
+        }));
+      if (label[node] >= 0. && partition.is_own(node))
       {
         Sums &of_part = sums.try_emplace(label[node], Sums{}).first->second;
         of_part[0]    = label[node];

@@ -58,7 +58,7 @@ namespace Lahar
         can_be_held[v]         = false;
         constraints[v]         = {};
         constraints[v].n_fixed = dim;
-        n_own_new += (v.value() < partition.n_own());
+        n_own_new += partition.is_own(v);
       }
     }
     n_held += Utilities::MPI::sum(n_own_new, partition.communicator());

@@ -51,10 +51,10 @@ namespace Lahar
   template <int dim>
   void Safeguards<dim>::fix_pressures(IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
-    fix_undetermined_pressures(system->cells_by_local_number(), system->partition(), constraints.raw());
+    fix_undetermined_pressures(system->cells_by_local_number(), system->partition(), constraints);
     if (any_incompressible)
-      closed_parts.fix_levels(system->cells_by_local_number(), start_positions.raw(), system->partition(),
-                              is_compressible.raw(), constraints.raw());
+      closed_parts.fix_levels(system->cells_by_local_number(), start_positions, system->partition(),
+                              is_compressible, constraints);
   }
 
 
@@ -117,9 +117,9 @@ namespace Lahar
       any = !true_on_all_ranks(!any, partition.communicator());
       if (!any)
         break;
-      partition.update(motion.raw());
-      partition.update(is_pushed.raw());
-      partition.update(least.raw());
+      partition.update(motion);
+      partition.update(is_pushed);
+      partition.update(least);
       for (const LocalNode node : constraints.indices())
         if (motion[node] < 1.)
           velocities[node] = least[node] + motion[node] * (expected[node] - least[node]);
@@ -153,7 +153,7 @@ namespace Lahar
         }
       any_shorter = !true_on_all_ranks(!any_shorter, system->partition().communicator());
       if (any_shorter)
-        system->partition().update(lengths.raw());
+        system->partition().update(lengths);
       damped = damped || any_shorter;
     }
     if (length == 1.)
@@ -197,7 +197,7 @@ namespace Lahar
   template <int dim>
   void Safeguards<dim>::check_closed_parts(const FluidStep<dim> &fluid) const
   {
-    closed_parts.check(system->cells_by_local_number(), start_positions.raw(), fluid.old_volumes(),
+    closed_parts.check(system->cells_by_local_number(), start_positions, fluid.old_volumes(),
                        fluid.new_volumes(), system->partition());
   }
 

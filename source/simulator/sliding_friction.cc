@@ -77,7 +77,7 @@ namespace Lahar
         force.value       = Tensor<1, dim>();
         force.by_velocity = Tensor<2, dim>();
       }
-      system.add_at_node(contact.node.value(), force.value, force.by_velocity, force.by_pressure);
+      system.add_at_node(contact.node, force.value, force.by_velocity, force.by_pressure);
     }
   }
 

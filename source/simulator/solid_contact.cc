@@ -61,8 +61,7 @@ namespace Lahar
     for (const unsigned int k : system.contacts())
     {
       known.push_back(all[k]);
-      known.back().vertex = Vertex(
-        system.fluid_number(numbering.node(RegionVertex(all[k].touch.vertex)).value()));
+      known.back().vertex = system.fluid_number(numbering.node(RegionVertex(all[k].touch.vertex)));
     }
     is_any = Utilities::MPI::max(known.empty() ? 0U : 1U, system.partition().communicator()) == 1U;
   }

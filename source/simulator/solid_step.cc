@@ -122,12 +122,9 @@ namespace Lahar
   template <int dim>
   bool SolidStep<dim>::assemble(const Tensor<1, dim> &gravity, BlockSystem<dim> &system) const
   {
-    std::vector<unsigned int> nodes;
-    for (const RegionNode node : region_nodes)
-      nodes.push_back(node.value());
     return region_nodes.empty() ||
            assembler.assemble(*solids, state, {integration.length(), integration.acceleration_factor(false)},
-                              {gravity, external_forces}, nodes, system);
+                              {gravity, external_forces}, region_nodes, system);
   }
 
 

@@ -120,12 +120,12 @@ namespace Lahar
       TimerOutput::Scope scope(timer, "Set up system");
       numbered = now;
       system.reinit(region_mesh->n_vertices(), region_mesh->cells(),
-                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell(), contacts}, positions.raw(),
+                    {solid.n_own_nodes(), solid.cells(), solid.nodes_per_cell(), contacts}, positions,
                     is_alone ? NodeIdentities() : identify_nodes(cloud, migration, positions));
       solution = system.make_vector();
     }
     else
-      system.set_positions(positions.raw());
+      system.set_positions(positions);
 
     numbering.reinit(system.partition(), region_mesh->n_vertices(), solid.nodes());
     IndexVector<LocalNode, Point<dim>> known_positions;
@@ -185,7 +185,7 @@ namespace Lahar
     }
     safeguards.start_step({*mesh, system, numbering, materials, is_solid, can_be_held, positions});
     safeguards.fix_pressures(constraints);
-    system.set_constraints(constraints.raw());
+    system.set_constraints(constraints);
   }
 
 
@@ -199,7 +199,7 @@ namespace Lahar
       const auto begin                                = values.begin() + fluid * n;
       IndexVector<LocalNode, Tensor<1, dim>> of_fluid = numbering.by_node(
         IndexVector<Vertex, Tensor<1, dim>>(std::vector<Tensor<1, dim>>(begin, begin + n)));
-      system.partition().update(of_fluid.raw());
+      system.partition().update(of_fluid);
       const IndexVector<Vertex, Tensor<1, dim>> updated = numbering.by_vertex(of_fluid);
       std::copy(updated.begin(), updated.end(), begin);
     }

@@ -42,7 +42,7 @@ namespace Lahar
     for (const Vertex v : numbering.vertices())
       speed[numbering.node(v)] = std::max(state.old_velocity[v.value()].norm(),
                                           state.mean_velocity[v.value()].norm());
-    spread_largest(parts, system.partition(), speed.raw());
+    spread_largest(parts, system.partition(), speed);
     const double slowest = standing_velocity +
                            negligible_acceleration * state.gravity.norm() * state.time_step;
     std::vector<bool> stands(mesh->n_vertices(), true); // all of its cells do

@@ -143,8 +143,8 @@ namespace Lahar
   {
     if (!std::isfinite(solution.l2_norm()))
       throw RunError("the solution of the linear system is not a finite number");
-    IndexVector<LocalNode, Tensor<1, dim>> velocities(system.velocities(solution));
-    IndexVector<Vertex, double> pressures(system.pressures(solution));
+    IndexVector<LocalNode, Tensor<1, dim>> velocities = system.velocities(solution);
+    IndexVector<Vertex, double> pressures             = system.pressures(solution);
     step_state.start_iteration(node_velocities(), fluid.state, fluid.new_volumes(), std::move(velocities),
                                std::move(pressures));
     if (!materials.any_yields())
@@ -187,8 +187,8 @@ namespace Lahar
   {
     if (!friction.any())
       return;
-    IndexVector<LocalNode, Tensor<1, dim>> reactions(system.momentum_residual());
-    system.partition().update(reactions.raw());
+    IndexVector<LocalNode, Tensor<1, dim>> reactions = system.momentum_residual();
+    system.partition().update(reactions);
     friction.iterate(fluid_velocities(), fluid_pressures(), reactions);
   }
 
@@ -208,7 +208,7 @@ namespace Lahar
     iterate_friction();
     contact.iterate();
     if (safeguards.end_iteration(fluid, constraints))
-      system.set_constraints(constraints.raw());
+      system.set_constraints(constraints);
   }
 
 
@@ -270,7 +270,7 @@ namespace Lahar
   typename StepProblem<dim>::Reactions StepProblem<dim>::reactions() const
   {
     Reactions result;
-    IndexVector<LocalNode, Tensor<1, dim>> residuals(system.momentum_residual());
+    IndexVector<LocalNode, Tensor<1, dim>> residuals = system.momentum_residual();
     if (contact.any())
     {
       const auto along = friction.forces_on_solids(fluid_velocities(), fluid_pressures(), contact);
@@ -295,7 +295,7 @@ namespace Lahar
       for (unsigned int i = 0; i < solid.nodes().size(); ++i)
         result.of_slick_solids.emplace_back(make_array_view(&on_fluid[dim * i], &on_fluid[dim * i] + dim));
     }
-    system.partition().update(residuals.raw());
+    system.partition().update(residuals);
     IndexVector<RegionVertex, Tensor<1, dim>> at_vertices(region_mesh->n_vertices());
     for (const Vertex v : numbering.vertices())
       at_vertices[numbering.region_vertex(v)] = residuals[numbering.node(v)];
@@ -308,7 +308,7 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
-    solid.accept(of_solids(IndexVector<LocalNode, Tensor<1, dim>>(system.solid_residual())), solids);
+    solid.accept(of_solids(system.solid_residual()), solids);
     friction.accept(fluid_velocities(), fluid_pressures(), *region_mesh, cloud);
     fluid.accept(cloud);
     linear_solver->forget(); // remeshing and output need the memory

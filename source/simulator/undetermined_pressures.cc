@@ -8,7 +8,7 @@ namespace Lahar
 {
   template <int dim>
   void fix_undetermined_pressures(const std::vector<Simplex<dim>> &cells, const NodePartition &partition,
-                                  std::vector<NodeConstraint<dim>> &constraints)
+                                  IndexVector<LocalNode, NodeConstraint<dim>> &constraints)
   {
     const unsigned int n_nodes = constraints.size();
     boost::disjoint_sets_with_storage<> parts(n_nodes);
@@ -18,34 +18,34 @@ namespace Lahar
 
     // By node whether its part can move. The parts of different ranks join at nodes that both know: go on until all
     // have heard of it.
-    std::vector<double> moves(n_nodes, 0.);
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    IndexVector<LocalNode, double> moves(n_nodes, 0.);
+    for (const LocalNode i : constraints.indices())
       moves[i] = constraints[i].n_fixed < dim ? 1. : 0.;
     for (bool any_news = true; any_news;)
     {
       std::vector<bool> part_moves(n_nodes, false);
-      for (unsigned int i = 0; i < n_nodes; ++i)
+      for (const LocalNode i : constraints.indices())
         if (moves[i] > 0.)
-          part_moves[parts.find_set(i)] = true;
+          part_moves[parts.find_set(i.value())] = true;
       bool own_news = false;
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        if (part_moves[parts.find_set(i)] && moves[i] == 0.)
+      for (const LocalNode i : constraints.indices())
+        if (part_moves[parts.find_set(i.value())] && moves[i] == 0.)
         {
           moves[i] = 1.;
-          own_news = own_news || i < partition.n_own();
+          own_news = own_news || partition.is_own(i);
         }
       any_news = Utilities::MPI::max(own_news ? 1U : 0U, partition.communicator()) == 1U;
       if (any_news)
         partition.update(moves);
     }
-    for (unsigned int i = 0; i < n_nodes; ++i)
+    for (const LocalNode i : constraints.indices())
       constraints[i].fixed_pressure = (moves[i] == 0.);
   }
 
 
 
   template void fix_undetermined_pressures(const std::vector<Simplex<2>> &, const NodePartition &,
-                                           std::vector<NodeConstraint<2>> &);
+                                           IndexVector<LocalNode, NodeConstraint<2>> &);
   template void fix_undetermined_pressures(const std::vector<Simplex<3>> &, const NodePartition &,
-                                           std::vector<NodeConstraint<3>> &);
+                                           IndexVector<LocalNode, NodeConstraint<3>> &);
 } // namespace Lahar

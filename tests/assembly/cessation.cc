@@ -79,7 +79,7 @@ public:
       stokes->state.velocity[v][0]         = (1. - c.yield_stress) * y - 0.5 * y * y;
       stokes->state.acceleration_factor[v] = 1. / time_step;
     }
-    stokes->system.set_constraints(stokes->constraints);
+    stokes->prescribe();
     solution = stokes->system.make_vector();
   }
 
@@ -99,8 +99,8 @@ public:
       // Without a line search a few cells may go to and fro; with part of the secant stiffness they do not.
       stokes->assemble(ViscosityLinearization::primal_dual, iteration > 8 ? 0.7 : 1.);
       stokes->solver.solve(stokes->system, {}, solution);
-      const auto change          = stokes->system.velocities(solution);
-      const auto pressure_change = stokes->system.pressures(solution);
+      const auto change          = stokes->system.velocities(solution).raw();
+      const auto pressure_change = stokes->system.pressures(solution).raw();
       stokes->assembler.predict_plastic_dual(stokes->mesh, law, state, change, base, slope);
       double largest = 0., speed = 0.;
       for (unsigned int v = 0; v < old.size(); ++v)

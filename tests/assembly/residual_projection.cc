@@ -25,7 +25,7 @@ double mass_residual(const Film<dim> &film, const FluidMesh<dim> &mesh, const Fl
     stokes.state.velocity[v][0] = y * (1. - 0.5 * y);
   }
   stokes.set_stabilization();
-  stokes.system.set_constraints(stokes.constraints);
+  stokes.prescribe();
   stokes.assemble(ViscosityLinearization::picard);
   double largest = 0.;
   for (const double flow : stokes.system.pressures(stokes.system.right_hand_side()))

@@ -90,8 +90,8 @@ void check_rest()
     const Point<2> &x = stokes.state.position[v];
     error             = std::max(error, std::abs(stokes.state.pressure[v] + 6. * (0.7 - x[1])));
     speed             = std::max(speed, stokes.state.velocity[v].norm());
-    if (const unsigned int node = stokes.system.local_number(v);
-        x[1] == 0. && node < stokes.system.partition().n_own())
+    if (const LocalNode node = stokes.system.local_number(Vertex(v));
+        x[1] == 0. && stokes.system.partition().is_own(node))
       on_floor += stokes.system.momentum_residual()[node][1];
   }
   check("pressure of fluid at rest", error, 1e-9);

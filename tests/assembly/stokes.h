@@ -46,11 +46,14 @@ namespace Tests
       parse(assembler, parameters);
       parse(solver, "set Tolerance = 0\n");
 
-      std::vector<Point<dim>> positions;
+      IndexVector<RegionNode, Point<dim>> positions;
       for (const unsigned int particle : whole.particles())
         positions.push_back(cloud.position[particle]);
       system.reinit(whole.n_vertices(), whole.cells(), {}, positions);
-      mesh.reinit_part(whole, system.partition().nodes(), system.cells());
+      std::vector<unsigned int> known;
+      for (const RegionNode node : system.partition().nodes())
+        known.push_back(node.value());
+      mesh.reinit_part(whole, known, system.cells());
       const unsigned int n = mesh.n_vertices();
       for (unsigned int v = 0; v < n; ++v)
         state.position.push_back(cloud.position[mesh.particle(v)]);
@@ -71,7 +74,15 @@ namespace Tests
       state.time_step    = stabilization_step;
       state.old_position = state.position = places;
       assembler.set_stabilization(mesh, law, state);
-      system.partition().update(state.residual_projection);
+      IndexVector<LocalNode, Tensor<1, dim>> projection(state.residual_projection);
+      system.partition().update(projection);
+      state.residual_projection = projection.raw();
+    }
+
+    /// Tell the system of the constraints.
+    void prescribe()
+    {
+      system.set_constraints(IndexVector<LocalNode, NodeConstraint<dim>>(constraints));
     }
 
     /// Iterate (Picard or Newton) from the present state until the velocities change by less than @p tolerance. @return
@@ -79,14 +90,14 @@ namespace Tests
     unsigned int solve(const ViscosityLinearization viscosity, const double tolerance,
                        const unsigned int max_iterations)
     {
-      system.set_constraints(constraints);
+      prescribe();
       auto solution = system.make_vector();
       for (unsigned int iteration = 1;; ++iteration)
       {
         assemble(viscosity);
         solver.solve(system, {}, solution);
-        const auto velocity_increments = system.velocities(solution);
-        const auto pressure_increments = system.pressures(solution);
+        const auto velocity_increments = system.velocities(solution).raw();
+        const auto pressure_increments = system.pressures(solution).raw();
         double largest                 = 0.;
         for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
         {
@@ -115,7 +126,7 @@ namespace Tests
       }
       assembler.assemble(mesh, law, state, linearization, system);
       for (unsigned int v = 0; v < forces.size(); ++v)
-        system.add_at_node(v, -forces[v], {}, {});
+        system.add_at_node(LocalNode(v), -forces[v], {}, {});
       state.position = state.old_position = places;
     }
 

@@ -148,17 +148,18 @@ void test()
     }
 
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(example.n_nodes, example.cells, {}, example.points);
-  std::vector<NodeConstraint<dim>> constraints;
-  for (const unsigned int node : system.partition().nodes())
-    constraints.push_back(example.constraints[node]);
+  const IndexVector<RegionNode, Point<dim>> positions(example.points);
+  system.reinit(example.n_nodes, example.cells, {}, positions);
+  IndexVector<LocalNode, NodeConstraint<dim>> constraints;
+  for (const RegionNode node : system.partition().nodes())
+    constraints.push_back(example.constraints[node.value()]);
   system.set_constraints(constraints);
   for (unsigned int repetition = 0; repetition < 3; ++repetition)
   {
     if (repetition == 2) // the same cells again: the matrices stay, the constraints do not
     {
       const double *values = system.values(0, 0);
-      system.reinit(example.n_nodes, example.cells, {}, example.points);
+      system.reinit(example.n_nodes, example.cells, {}, positions);
       check(name + "the matrices stay", system.pattern_number() == 1 && system.values(0, 0) == values);
       system.set_constraints(constraints);
     }
@@ -180,10 +181,10 @@ void test()
                          std::abs(system.matrix().block(i >= n_v, j >= n_v).el(row, j >= n_v ? j - n_v : j) -
                                   B(i, j)));
     }
-    for (unsigned int l = 0; l < system.partition().n_own(); ++l)
+    for (const LocalNode l : system.partition().own_nodes())
       momentum_error =
         std::max(momentum_error,
-                 (system.momentum_residual()[l] - momentum[system.partition().nodes()[l]]).norm());
+                 (system.momentum_residual()[l] - momentum[system.partition().nodes()[l].value()]).norm());
     check(name + "matrix equals the dense one", error, 1e-12);
     check(name + "right-hand side equals the dense one", rhs_error, 1e-13);
     check(name + "momentum residual is that without constraints", momentum_error, 1e-13);
@@ -208,16 +209,16 @@ void test()
     double velocity_error = 0., pressure_error = 0.;
     const auto velocities = system.velocities(solution);
     const auto pressures  = system.pressures(solution);
-    for (unsigned int l = 0; l < system.partition().nodes().size(); ++l)
+    for (const LocalNode l : system.partition().nodes().indices())
     {
-      const unsigned int node = system.partition().nodes()[l];
+      const unsigned int node = system.partition().nodes()[l].value();
       Tensor<1, dim> turned_back;
       for (unsigned int a = 0; a < dim; ++a)
         for (unsigned int b = 0; b < dim; ++b)
           turned_back[b] += T(dim * node + a, dim * node + b) * reference[dim * node + a];
       velocity_error = std::max(velocity_error, (velocities[l] - turned_back).norm());
-      pressure_error = std::max(pressure_error,
-                                std::abs(pressures[l] - reference[dim * example.n_nodes + node]));
+      pressure_error = std::max(pressure_error, std::abs(pressures[system.fluid_number(l)] -
+                                                         reference[dim * example.n_nodes + node]));
     }
     check(name + package + ": velocities of all known nodes, turned back", velocity_error, 1e-11);
 
@@ -226,9 +227,9 @@ void test()
     inexact                 = 1.;
     const auto inexact_ones = system.velocities(inexact);
     double prescribed       = 0.;
-    for (unsigned int l = 0; l < system.partition().nodes().size(); ++l)
+    for (const LocalNode l : system.partition().nodes().indices())
     {
-      const unsigned int node = system.partition().nodes()[l];
+      const unsigned int node = system.partition().nodes()[l].value();
       for (unsigned int a = 0; a < example.constraints[node].n_fixed; ++a)
       {
         double component = 0.;
@@ -298,7 +299,7 @@ void test()
   }
 
   const std::vector<Simplex<dim>> fewer(example.cells.begin(), example.cells.end() - 1);
-  system.reinit(example.n_nodes, fewer, {}, example.points);
+  system.reinit(example.n_nodes, fewer, {}, positions);
   check(name + "other cells, other matrices", system.pattern_number() == 2);
 }
 

@@ -19,12 +19,12 @@ void test_contact()
   typename BlockSystem<dim>::Cell cell;
   SolidPart solid;
   solid.n_nodes = solid.nodes_per_cell = n;
-  std::vector<Point<dim>> positions(2 * n);
+  IndexVector<RegionNode, Point<dim>> positions(2 * n);
   for (unsigned int v = 0; v < n; ++v)
   {
     cell[v] = v;
     solid.cells.push_back(n + v);
-    positions[n + v][0] = 1.;
+    positions[RegionNode(n + v)][0] = 1.;
   }
   solid.contacts.push_back(n - 1);
   for (unsigned int v = 0; v < dim; ++v)
@@ -34,13 +34,13 @@ void test_contact()
   check("one contact", system.contacts() == std::vector<unsigned int>{0});
 
   // A frame turned in the first two components with its first row prescribed; a solid's node that is clamped.
-  std::vector<NodeConstraint<dim>> constraints(2 * n);
-  Tensor<2, dim> &frame = constraints[n - 1].frame;
+  IndexVector<LocalNode, NodeConstraint<dim>> constraints(2 * n);
+  Tensor<2, dim> &frame = constraints[LocalNode(n - 1)].frame;
   frame[0][0] = frame[1][1]  = 0.6;
   frame[0][1]                = 0.8;
   frame[1][0]                = -0.8;
-  constraints[n - 1].n_fixed = 1;
-  constraints[n].n_fixed     = dim;
+  constraints[LocalNode(n - 1)].n_fixed = 1;
+  constraints[LocalNode(n)].n_fixed     = dim;
   system.set_constraints(constraints);
   system.set_zero();
   std::array<double, n> weights;
@@ -62,7 +62,7 @@ void test_contact()
     return node == n - 1 ? frame : Tensor<2, dim>(unit_symmetric_tensor<dim>());
   };
   const auto is_fixed = [&](const unsigned int node, const unsigned int a) {
-    return a < constraints[node].n_fixed;
+    return a < constraints[LocalNode(node)].n_fixed;
   };
   for (unsigned int I = 0; I < n; ++I)
   {

@@ -56,25 +56,28 @@ void test(const unsigned int n)
 
   // The state of all vertices is known to all ranks; each assembles its part.
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  std::vector<Point<dim>> positions;
+  IndexVector<RegionNode, Point<dim>> positions;
   std::vector<unsigned int> owners;
   std::vector<std::uint64_t> keys;
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   for (const unsigned int particle : mesh.particles())
   {
     positions.push_back(cloud.position[particle]);
-    owners.push_back(std::min<unsigned int>(positions.back()[0] / (0.01 * n) * n_ranks, n_ranks - 1));
+    owners.push_back(std::min<unsigned int>(cloud.position[particle][0] / (0.01 * n) * n_ranks, n_ranks - 1));
     keys.push_back(particle);
   }
   system.reinit(mesh.n_vertices(), mesh.cells(), {}, positions, {owners, keys});
   FluidMesh<dim> part;
-  part.reinit_part(mesh, system.partition().nodes(), system.cells());
+  std::vector<unsigned int> known;
+  for (const RegionNode node : system.partition().nodes())
+    known.push_back(node.value());
+  part.reinit_part(mesh, known, system.cells());
 
   const unsigned int n_vertices = part.n_vertices();
   const double depth            = 0.01 * n;
   FluidState<dim> state;
   state.gravity[dim - 1] = -9.81;
-  std::vector<NodeConstraint<dim>> constraints(n_vertices);
+  IndexVector<LocalNode, NodeConstraint<dim>> constraints(n_vertices);
   state.time_step = 1e-3;
   state.velocity_factor.assign(n_vertices, 1.5);
   state.acceleration_factor.assign(n_vertices, 2. / state.time_step);
@@ -85,7 +88,7 @@ void test(const unsigned int n)
     state.position.push_back(x);
     state.pressure.push_back(-9810. * (depth - x[dim - 1]));
     if (cloud.kind[part.particle(v)] == ParticleKind::wall)
-      constraints[v].n_fixed = dim;
+      constraints[LocalNode(v)].n_fixed = dim;
     else
       state.velocity[v][0] = std::min(x[dim - 1], 0.4 * depth);
   }
@@ -96,7 +99,9 @@ void test(const unsigned int n)
   FluidAssembler<dim> assembler;
   parse(assembler);
   assembler.set_stabilization(part, *law, state);
-  system.partition().update(state.residual_projection);
+  IndexVector<LocalNode, Tensor<1, dim>> projection(state.residual_projection);
+  system.partition().update(projection);
+  state.residual_projection = projection.raw();
   assembler.start_plastic_dual(part, *law, state);
   system.set_constraints(constraints);
   assembler.assemble(part, *law, state, {}, system);

@@ -95,15 +95,15 @@ void test(const unsigned int n_points, const bool by_position)
   else
     partition.reinit(n_points, lists);
   std::vector<unsigned int> nodes; // by the numbers that the test has
-  for (const unsigned int node : partition.nodes())
-    nodes.push_back(number_of[node]);
+  for (const RegionNode node : partition.nodes())
+    nodes.push_back(number_of[node.value()]);
 
   check(name + "own nodes, ascending",
         std::vector<unsigned int>(own.begin(), own.end()) ==
           std::vector<unsigned int>(nodes.begin(), nodes.begin() + partition.n_own()));
   check(name + "all nodes", partition.n_nodes() == n_points);
   bool found = true;
-  for (unsigned int l = 0; l < nodes.size(); ++l)
+  for (const LocalNode l : partition.nodes().indices())
     found = found && partition.local(partition.nodes()[l]) == l;
   check(name + "local numbers", found);
   const auto by_owner = [&](const unsigned int i, const unsigned int j) {
@@ -126,8 +126,8 @@ void test(const unsigned int n_points, const bool by_position)
     cells_agree                           = cells_agree && expected == partition.cells(k);
     const std::vector<unsigned int> local = partition.local_cells(k, lists[k]);
     for (unsigned int i = 0; i < local.size(); ++i)
-      cells_agree = cells_agree &&
-                    partition.nodes()[local[i]] == cells_here[k][expected[i / (dim + 1)]][i % (dim + 1)];
+      cells_agree = cells_agree && partition.nodes()[LocalNode(local[i])].value() ==
+                                     cells_here[k][expected[i / (dim + 1)]][i % (dim + 1)];
   }
   check(name + "known cells", cells_agree);
 
@@ -142,27 +142,28 @@ void test(const unsigned int n_points, const bool by_position)
     count[order[k]]  = n;
     n += order[k] % 5 == 0;
   }
-  std::vector<bool> marked;
+  IndexVector<LocalNode, bool> marked;
   for (const unsigned int i : nodes)
     marked.push_back(i % 5 == 0);
-  const std::vector<unsigned int> counted = partition.count_before(marked);
+  const IndexVector<LocalNode, unsigned int> counted = partition.count_before(marked);
   bool numbered = true, right_count = true;
-  for (unsigned int l = 0; l < nodes.size(); ++l)
+  for (const LocalNode l : counted.indices())
   {
-    numbered    = numbered && partition.global_numbers()[l] == global[nodes[l]];
-    right_count = right_count && counted[l] == count[nodes[l]];
+    numbered    = numbered && partition.global_numbers()[l].value() == global[nodes[l.value()]];
+    right_count = right_count && counted[l] == count[nodes[l.value()]];
   }
   check(name + "global numbers", numbered);
   check(name + "count of marked nodes", right_count);
 
   // The owners' values of two numbers a node arrive at all ranks that know the node.
-  std::vector<std::array<double, 2>> copies(nodes.size(), {{-1., -1.}});
-  for (unsigned int l = 0; l < partition.n_own(); ++l)
-    copies[l] = {{10. * nodes[l], 10. * nodes[l] + 1.}};
+  IndexVector<LocalNode, std::array<double, 2>> copies(nodes.size(), {{-1., -1.}});
+  for (const LocalNode l : partition.own_nodes())
+    copies[l] = {{10. * nodes[l.value()], 10. * nodes[l.value()] + 1.}};
   partition.update(copies);
   bool updated = true;
-  for (unsigned int l = 0; l < nodes.size(); ++l)
-    updated = updated && copies[l][0] == 10. * nodes[l] && copies[l][1] == 10. * nodes[l] + 1.;
+  for (const LocalNode l : copies.indices())
+    updated = updated && copies[l][0] == 10. * nodes[l.value()] &&
+              copies[l][1] == 10. * nodes[l.value()] + 1.;
   check(name + "updated", updated);
 }
 

@@ -26,13 +26,13 @@ std::vector<Simplex<dim>> known_cells(const NodePartition &partition, const std:
 
 /// All nodes: x where the pressure is fixed. Ranks that know a node must agree.
 std::string all_fixed_pressures(const NodePartition &partition,
-                                const std::vector<NodeConstraint<2>> &constraints)
+                                const IndexVector<LocalNode, NodeConstraint<2>> &constraints)
 {
   std::vector<unsigned int> n_knowing(partition.n_nodes(), 0), n_fixed(partition.n_nodes(), 0);
-  for (unsigned int l = 0; l < partition.nodes().size(); ++l)
+  for (const LocalNode l : constraints.indices())
   {
-    ++n_knowing[partition.nodes()[l]];
-    n_fixed[partition.nodes()[l]] += constraints[l].fixed_pressure;
+    ++n_knowing[partition.nodes()[l].value()];
+    n_fixed[partition.nodes()[l].value()] += constraints[l].fixed_pressure;
   }
   Utilities::MPI::sum(n_knowing, MPI_COMM_WORLD, n_knowing);
   Utilities::MPI::sum(n_fixed, MPI_COMM_WORLD, n_fixed);
@@ -48,25 +48,25 @@ int main(int argc, char **argv)
 
   // Nodes 0 to 3, and 4 to 8; node 9 belongs to no cell.
   const std::vector<Simplex<2>> cells = {{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {6, 7, 8}};
-  std::vector<NodeConstraint<2>> constraints(10);
+  IndexVector<RegionNode, NodeConstraint<2>> constraints(10);
   NodePartition partition(MPI_COMM_WORLD);
   partition.reinit(10, {{cells.front().data(), 4, 3}});
   const auto fixed_pressures = [&]() {
-    std::vector<NodeConstraint<2>> known;
-    for (const unsigned int node : partition.nodes())
+    IndexVector<LocalNode, NodeConstraint<2>> known;
+    for (const RegionNode node : partition.nodes())
       known.push_back(constraints[node]);
     fix_undetermined_pressures(known_cells<2>(partition, cells), partition, known);
     return all_fixed_pressures(partition, known);
   };
   check("free parts", fixed_pressures() == "..........");
   for (const unsigned int i : {0, 1, 2, 3})
-    constraints[i].n_fixed = 2;
+    constraints[RegionNode(i)].n_fixed = 2;
   check("a part whose velocities are all prescribed", fixed_pressures() == "xxxx......");
-  constraints[2].n_fixed = 1; // on a slip wall
+  constraints[RegionNode(2)].n_fixed = 1; // on a slip wall
   for (const unsigned int i : {4, 5, 6, 7})
-    constraints[i].n_fixed = 2;
+    constraints[RegionNode(i)].n_fixed = 2;
   check("parts in which one node can move", fixed_pressures() == "..........");
-  constraints[8].n_fixed = 2;
+  constraints[RegionNode(8)].n_fixed = 2;
   check("cells that share a node are one part", fixed_pressures() == "....xxxxx.");
 
   // A strip of triangles that extends over all ranks, of which one end is free.
@@ -74,16 +74,13 @@ int main(int argc, char **argv)
   for (unsigned int i = 0; i + 2 < 60; ++i)
     strip.push_back({i, i + 1, i + 2});
   partition.reinit(60, {{strip.front().data(), 58, 3}});
-  std::vector<NodeConstraint<2>> known;
-  for (const unsigned int node : partition.nodes())
-  {
-    known.emplace_back();
-    known.back().n_fixed = node == 59 ? 1 : 2;
-  }
+  IndexVector<LocalNode, NodeConstraint<2>> known(partition.nodes().size());
+  for (const LocalNode l : known.indices())
+    known[l].n_fixed = partition.nodes()[l] == RegionNode(59) ? 1 : 2;
   fix_undetermined_pressures(known_cells<2>(partition, strip), partition, known);
   check("one end is free", all_fixed_pressures(partition, known) == std::string(60, '.'));
-  for (auto &constraint : known)
-    constraint.n_fixed = 2;
+  for (const LocalNode l : known.indices())
+    known[l].n_fixed = 2;
   fix_undetermined_pressures(known_cells<2>(partition, strip), partition, known);
   check("no end is free", all_fixed_pressures(partition, known) == std::string(60, 'x'));
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
@@ -112,11 +109,11 @@ int main(int argc, char **argv)
   assembler.set_stabilization(mesh, *law, state);
   BlockSystem<2> system(MPI_COMM_WORLD);
   system.reinit(6, mesh.cells());
-  constraints.assign(6, NodeConstraint<2>());
+  IndexVector<LocalNode, NodeConstraint<2>> held(6);
   for (const unsigned int i : {0, 1, 2})
-    constraints[i].n_fixed = 2;
-  fix_undetermined_pressures(mesh.cells(), system.partition(), constraints);
-  system.set_constraints(constraints);
+    held[LocalNode(i)].n_fixed = 2;
+  fix_undetermined_pressures(mesh.cells(), system.partition(), held);
+  system.set_constraints(held);
   FluidAssembler<2>::Linearization linearization;
   linearization.viscosity = ViscosityLinearization::picard;
   assembler.assemble(mesh, *law, state, linearization, system);
@@ -129,8 +126,8 @@ int main(int argc, char **argv)
   for (unsigned int v = 0; v < 6; ++v)
   {
     const Tensor<1, 2> expected = v < 3 ? Tensor<1, 2>() : 1. / 200. * state.gravity;
-    check("velocity", (velocities[v] - expected).norm(), 1e-12);
-    check("pressure", pressures[v], 1e-8);
+    check("velocity", (velocities[LocalNode(v)] - expected).norm(), 1e-12);
+    check("pressure", pressures[Vertex(v)], 1e-8);
   }
   return n_failed > 0;
 }

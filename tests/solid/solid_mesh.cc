@@ -11,7 +11,6 @@
 
 #include "tests.h"
 
-#include <numeric>
 
 using namespace Tests;
 
@@ -129,8 +128,9 @@ void test_tangent(const unsigned int degree, const std::string &law)
 
   const SolidFactors factors{0.01, 70.};
   const SolidAssembler<dim> assembler;
-  std::vector<unsigned int> nodes(mesh.n_nodes());
-  std::iota(nodes.begin(), nodes.end(), 0);
+  IndexVector<SolidNode, RegionNode> nodes;
+  for (unsigned int i = 0; i < mesh.n_nodes(); ++i)
+    nodes.push_back(RegionNode(i));
   Tensor<1, dim> gravity;
   gravity[1] = -9.81;
   std::vector<Tensor<1, dim>> direction;
@@ -148,7 +148,8 @@ void test_tangent(const unsigned int degree, const std::string &law)
   };
 
   BlockSystem<dim> system(MPI_COMM_WORLD);
-  system.reinit(0, {}, {mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell()}, old.position);
+  system.reinit(0, {}, {mesh.n_nodes(), mesh.cell_nodes(), mesh.nodes_per_cell()},
+                IndexVector<RegionNode, Point<dim>>(old.position));
   const auto residual = [&](const double length) {
     system.set_zero();
     const auto forces = solids.external_forces(1.);
@@ -159,9 +160,9 @@ void test_tangent(const unsigned int degree, const std::string &law)
   const double step = 1e-5;
   auto plus = residual(step), minus = residual(-step), product = residual(0.), increment = product;
   const NodePartition &partition = system.partition();
-  for (unsigned int l = 0; l < partition.n_own(); ++l)
+  for (const LocalNode l : partition.own_nodes())
     for (unsigned int d = 0; d < dim; ++d)
-      increment.block(0)[partition.nodes()[l] * dim + d] = direction[partition.nodes()[l]][d];
+      increment.block(0)[partition.nodes()[l].value() * dim + d] = direction[partition.nodes()[l].value()][d];
   increment.compress(VectorOperation::insert);
   system.matrix().block(0, 0).vmult(product.block(0), increment.block(0));
   minus.sadd(0.5 / step, -0.5 / step, plus); // − dR/dv
@@ -169,9 +170,9 @@ void test_tangent(const unsigned int degree, const std::string &law)
   check(name + "tangent against differences", minus.block(0).l2_norm() / product.block(0).l2_norm(), 1e-7);
 
   // With the foot clamped the system can be solved, without any fluid.
-  std::vector<NodeConstraint<dim>> constraints(partition.nodes().size());
-  for (unsigned int l = 0; l < constraints.size(); ++l)
-    constraints[l].n_fixed = solids.is_fixed(partition.nodes()[l]) ? dim : 0;
+  IndexVector<LocalNode, NodeConstraint<dim>> constraints(partition.nodes().size());
+  for (const LocalNode l : constraints.indices())
+    constraints[l].n_fixed = solids.is_fixed(partition.nodes()[l].value()) ? dim : 0;
   system.set_constraints(constraints);
   auto right_hand_side = residual(0.);
   auto solution        = system.make_vector();
@@ -183,8 +184,8 @@ void test_tangent(const unsigned int degree, const std::string &law)
   check(name + "solution", product.block(0).l2_norm() / right_hand_side.block(0).l2_norm(), 1e-10);
   double fixed          = 0.;
   const auto velocities = system.velocities(solution);
-  for (unsigned int l = 0; l < velocities.size(); ++l)
-    if (solids.is_fixed(partition.nodes()[l]))
+  for (const LocalNode l : velocities.indices())
+    if (solids.is_fixed(partition.nodes()[l].value()))
       fixed += velocities[l].norm();
   check(name + "clamped nodes stay", fixed, 1e-14);
 }

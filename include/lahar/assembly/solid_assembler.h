@@ -42,7 +42,7 @@ namespace Lahar
      * @return whether all cells have positive volume; if not, the system is incomplete.
      */
     bool assemble(const Solids<dim> &solids, const SolidState<dim> &state, const SolidFactors &factors,
-                  const SolidLoads<dim> &loads, const std::vector<unsigned int> &nodes,
+                  const SolidLoads<dim> &loads, const IndexVector<SolidNode, RegionNode> &nodes,
                   BlockSystem<dim> &system) const;
 
     /// Set the stress of @p state from its positions and from the solids' state at the start of the step.

@@ -80,7 +80,7 @@ namespace Lahar
      * @param identities without owners each rank has an equal share of the nodes' numbers.
      */
     void reinit(const unsigned int n_fluid_nodes, const std::vector<Cell> &cells,
-                const SolidPart &solids = {}, const std::vector<Point<dim>> &positions = {},
+                const SolidPart &solids = {}, const IndexVector<RegionNode, Point<dim>> &positions = {},
                 const NodeIdentities &identities = {});
 
     /// Numbers of the fluid's cells that this rank adds, ascending.
@@ -102,7 +102,7 @@ namespace Lahar
     }
 
     /// Tell where the nodes are now, if they were told to reinit().
-    void set_positions(const std::vector<Point<dim>> &positions);
+    void set_positions(const IndexVector<RegionNode, Point<dim>> &positions);
 
     /// The fluid's cells that this rank adds, by local numbers of nodes.
     const std::vector<Cell> &cells_by_local_number() const
@@ -111,7 +111,7 @@ namespace Lahar
     }
 
     /// Set what is prescribed, one entry for each node that this rank knows.
-    void set_constraints(const std::vector<NodeConstraint<dim>> &constraints);
+    void set_constraints(const IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 
     /// Clear matrix, right-hand side and reactions.
     void set_zero();
@@ -130,14 +130,14 @@ namespace Lahar
     void add_solid(const unsigned int k, FullMatrix<double> &matrix, dealii::Vector<double> &residual);
 
     /// Add a force of a node, to residual and solid_residual(). All ranks call it for all nodes that have such.
-    void add_solid(const unsigned int node, const Tensor<1, dim> &residual);
+    void add_solid(const RegionNode node, const Tensor<1, dim> &residual);
 
     /**
-     * Add a force on a node of the fluid, by local number, that is no cell's: @p residual, its derivatives with respect to
-     * the node's velocity and its derivative with respect to the node's pressure. It is no part of momentum_residual().
+     * Add a force on a node of the fluid that is no cell's: @p residual, its derivatives with respect to the node's
+     * velocity and its derivative with respect to the node's pressure. It is no part of momentum_residual().
      */
-    void add_at_node(const unsigned int local_node, const Tensor<1, dim> &residual,
-                     const Tensor<2, dim> &by_velocity, const Tensor<1, dim> &by_pressure);
+    void add_at_node(const LocalNode node, const Tensor<1, dim> &residual, const Tensor<2, dim> &by_velocity,
+                     const Tensor<1, dim> &by_pressure);
 
     /**
      * Add the force of contact contacts()[@p k], whose velocity is the sum of those of its nodes, each with its weight:
@@ -153,15 +153,15 @@ namespace Lahar
       return node_partition.n_nodes();
     }
 
-    /// Whether a node, by local number, has a pressure.
-    bool is_fluid(const unsigned int local_node) const
+    /// Whether a node has a pressure.
+    bool is_fluid(const LocalNode node) const
     {
-      return fluid_numbers[local_node] < fluid_numbers[local_node + 1];
+      return fluid_numbers[node.value()] < fluid_numbers[node.value() + 1];
     }
 
-    /// How many pressures of all ranks come before that of a node, by its local number; of one without pressure, before
-    /// those of the nodes after it.
-    const std::vector<unsigned int> &pressures_before() const
+    /// How many pressures of all ranks come before that of a node; of one without pressure, before those of the nodes
+    /// after it.
+    const IndexVector<LocalNode, unsigned int> &pressures_before() const
     {
       return n_pressures_before;
     }
@@ -190,14 +190,14 @@ namespace Lahar
       return n_own_pressures;
     }
 
-    /// Number of the fluid's nodes before a local number, which may be one beyond the last.
-    unsigned int fluid_number(const unsigned int local_node) const
+    /// The number of the fluid's nodes before a node, which is that of the node itself if it has a pressure.
+    Vertex fluid_number(const LocalNode node) const
     {
-      return fluid_numbers[local_node];
+      return Vertex(fluid_numbers[node.value()]);
     }
 
     /// Local number of a node of the fluid from its fluid_number().
-    unsigned int local_number(const unsigned int fluid_number) const
+    LocalNode local_number(const Vertex fluid_number) const
     {
       return local_numbers[fluid_number];
     }
@@ -230,11 +230,11 @@ namespace Lahar
       return block_values[row][column];
     }
 
-    /// diag(K) of an own node or one of the halo, by local number.
-    const Tensor<1, dim> &velocity_diagonal(const unsigned int local_node) const;
+    /// diag(K) of an own node or one of the halo.
+    const Tensor<1, dim> &velocity_diagonal(const LocalNode node) const;
 
-    /// Row of component @p a of a fluid's node, own or of the halo, in Q, by fluid_number().
-    const double *gradient_row(const unsigned int fluid_number, const unsigned int a) const;
+    /// Row of component @p a of a fluid's node, own or of the halo, in Q.
+    const double *gradient_row(const Vertex fluid_number, const unsigned int a) const;
 
     const Vector &right_hand_side() const
     {
@@ -244,24 +244,24 @@ namespace Lahar
     /// A vector of the system's layout, zero.
     Vector make_vector() const;
 
-    /// Velocity increments of the known nodes, by local number, from the vector of unknowns; prescribed components are
-    /// zero, whatever a solver left there. Collective.
-    std::vector<Tensor<1, dim>> velocities(const Vector &solution) const;
+    /// Velocity increments of the known nodes from the vector of unknowns; prescribed components are zero, whatever a
+    /// solver left there. Collective.
+    IndexVector<LocalNode, Tensor<1, dim>> velocities(const Vector &solution) const;
 
-    /// Pressure increments of the known nodes of the fluid, by fluid_number(). Collective.
-    std::vector<double> pressures(const Vector &solution) const;
+    /// Pressure increments of the known nodes of the fluid. Collective.
+    IndexVector<Vertex, double> pressures(const Vector &solution) const;
 
     /**
-     * Sum over the fluid's cells of the momentum residual by local number, whole for own nodes, prescribed components
-     * included, N: where the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid.
+     * Sum over the fluid's cells of the momentum residual, whole for own nodes, prescribed components included, N: where
+     * the velocity is prescribed or shared it is the force of the wall or of the solid on the fluid.
      */
-    const std::vector<Tensor<1, dim>> &momentum_residual() const
+    const IndexVector<LocalNode, Tensor<1, dim>> &momentum_residual() const
     {
       return residuals;
     }
 
     /// The same for the solids' cells.
-    const std::vector<Tensor<1, dim>> &solid_residual() const
+    const IndexVector<LocalNode, Tensor<1, dim>> &solid_residual() const
     {
       return solid_residuals;
     }
@@ -273,7 +273,9 @@ namespace Lahar
     NodePartition node_partition;
     std::vector<Point<dim>> own_positions;
     unsigned int n_fluid_nodes = 0, n_own_pressures = 0;
-    std::vector<unsigned int> fluid_numbers, local_numbers, n_pressures_before;
+    std::vector<unsigned int> fluid_numbers; ///< before each local number and before one beyond the last
+    IndexVector<Vertex, LocalNode> local_numbers;
+    IndexVector<LocalNode, unsigned int> n_pressures_before;
 
     using Places = std::vector<std::array<unsigned short, n_corners * n_corners>>;
 
@@ -285,15 +287,15 @@ namespace Lahar
     std::vector<unsigned short> solid_places, contact_places;
     unsigned int n_patterns = 0;
 
-    std::vector<NodeConstraint<dim>> constraints; ///< by local number
+    IndexVector<LocalNode, NodeConstraint<dim>> constraints;
 
     TrilinosWrappers::BlockSparseMatrix block_matrix;
     Vector rhs;
     std::array<std::array<double *, 2>, 2> block_values = {};
     std::array<double *, 2> rhs_values                  = {};
-    std::vector<double> halo_gradient;                      ///< Q's rows of the halo, as those of this rank
-    std::vector<Tensor<1, dim>> velocity_diagonals;         ///< of own nodes and the halo
-    std::vector<Tensor<1, dim>> residuals, solid_residuals; ///< by local number
+    std::vector<double> halo_gradient; ///< Q's rows of the halo, as those of this rank
+    IndexVector<LocalNode, Tensor<1, dim>> velocity_diagonals; ///< of own nodes and the halo
+    IndexVector<LocalNode, Tensor<1, dim>> residuals, solid_residuals;
   };
 } // namespace Lahar
 

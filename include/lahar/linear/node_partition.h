@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <lahar/linear/nodal_graph.h>
+#include <lahar/linear/node_numbers.h>
 #include <lahar/utilities/halo_exchange.h>
 
 #include <cstdint>
@@ -56,10 +57,26 @@ namespace Lahar
       return n_own_nodes;
     }
 
+    IndexRange<LocalNode> own_nodes() const
+    {
+      return IndexRange<LocalNode>(n_own_nodes);
+    }
+
+    bool is_own(const LocalNode node) const
+    {
+      return node.value() < n_own_nodes;
+    }
+
     /// Own nodes and halo.
     unsigned int n_with_rows() const
     {
       return n_row_nodes;
+    }
+
+    /// Whether a node is an own one or one of the halo.
+    bool has_row(const LocalNode node) const
+    {
+      return node.value() < n_row_nodes;
     }
 
     /// All nodes of all ranks.
@@ -68,20 +85,20 @@ namespace Lahar
       return n_all_nodes;
     }
 
-    /// Numbers of the nodes that this rank knows, by local number.
-    const std::vector<unsigned int> &nodes() const
+    /// The nodes that this rank knows.
+    const IndexVector<LocalNode, RegionNode> &nodes() const
     {
       return numbers_here;
     }
 
-    /// Global numbers of the nodes that this rank knows, by local number.
-    const std::vector<unsigned int> &global_numbers() const
+    /// The same by global numbers.
+    const IndexVector<LocalNode, GlobalNode> &global_numbers() const
     {
       return numbers_everywhere;
     }
 
-    /// Local number of a node; numbers::invalid_unsigned_int if this rank does not know it.
-    unsigned int local(const unsigned int node) const
+    /// Not valid if this rank does not know it.
+    LocalNode local(const RegionNode node) const
     {
       return local_numbers[node];
     }
@@ -96,27 +113,27 @@ namespace Lahar
     std::vector<unsigned int> local_cells(const unsigned int list, const CellList &cells) const;
 
     /**
-     * Replace the values of the known nodes of other ranks by those of their owners. @param values by local number, T
-     * of doubles. Collective.
+     * Replace the values of the known nodes of other ranks by those of their owners. T is made of doubles. Collective.
      */
     template <typename T>
-    void update(std::vector<T> &values) const
+    void update(IndexVector<LocalNode, T> &values) const
     {
       AssertDimension(values.size(), numbers_here.size());
-      exchange.update(reinterpret_cast<double *>(values.data()), sizeof(T) / sizeof(double));
+      exchange.update(reinterpret_cast<double *>(values.raw().data()), sizeof(T) / sizeof(double));
     }
 
-    /// Let each rank number some of its nodes, one after the other and rank after rank: by local number how many of all
-    /// the marked nodes come before the node. @param marked by local number; what it says of own nodes counts.
-    /// Collective.
-    std::vector<unsigned int> count_before(const std::vector<bool> &marked) const;
+    /// Let each rank number some of its nodes, one after the other and rank after rank: how many of all the marked nodes
+    /// come before the node. What @p marked says of own nodes counts. Collective.
+    IndexVector<LocalNode, unsigned int> count_before(const IndexVector<LocalNode, bool> &marked) const;
 
   private:
     void find_known(const std::vector<unsigned int> &owners, const std::vector<CellList> &lists);
 
     MPI_Comm mpi_communicator;
     unsigned int n_own_nodes = 0, n_row_nodes = 0, n_all_nodes = 0;
-    std::vector<unsigned int> numbers_here, numbers_everywhere, local_numbers;
+    IndexVector<LocalNode, RegionNode> numbers_here;
+    IndexVector<LocalNode, GlobalNode> numbers_everywhere;
+    IndexVector<RegionNode, LocalNode> local_numbers;
     std::vector<unsigned int> owners_here; ///< by local number
     std::vector<std::uint64_t> keys_here;  ///< by local number
     std::vector<std::vector<unsigned int>> known_cells;

@@ -4,25 +4,12 @@
 #define lahar_linear_numbering_h
 
 #include <lahar/linear/node_partition.h>
-#include <lahar/utilities/index.h>
 
 #include <utility>
 #include <vector>
 
 namespace Lahar
 {
-  /// Vertex of the mesh of the particles in a rank's region.
-  using RegionVertex = Index<struct RegionVertexTag>;
-  /// Node as a rank numbers it: the vertices of its region's mesh, and behind these the solids' own nodes.
-  using RegionNode = Index<struct RegionNodeTag>;
-  /// Vertex of the part of that mesh that the rank works on; the fluid number of BlockSystem.
-  using Vertex = Index<struct VertexTag>;
-  /// Node that the rank works on: own ones, the halo, the outer ones; the local number of NodePartition.
-  using LocalNode = Index<struct LocalNodeTag>;
-  /// Node in the order of the ranks; the global number of NodePartition.
-  using GlobalNode = Index<struct GlobalNodeTag>;
-  /// Node of the solids' mesh.
-  using SolidNode = Index<struct SolidNodeTag>;
   /**
    * The numbers of a step's nodes, and nothing else: who is who in the region's mesh, in the part that the rank works on,
    * in the system and in the solids. Velocities of vertices, nodes and solids are the same unknowns where these are the
@@ -47,7 +34,7 @@ namespace Lahar
 
     IndexRange<LocalNode> own_nodes() const
     {
-      return IndexRange<LocalNode>(partition->n_own());
+      return partition->own_nodes();
     }
 
     unsigned int n_nodes() const
@@ -84,7 +71,7 @@ namespace Lahar
     /// Not valid if this rank does not know it.
     LocalNode node(const RegionNode node) const
     {
-      return LocalNode(partition->local(node.value()));
+      return partition->local(node);
     }
 
     LocalNode node(const RegionVertex vertex) const
@@ -110,12 +97,12 @@ namespace Lahar
 
     GlobalNode global_node(const LocalNode node) const
     {
-      return GlobalNode(partition->global_numbers()[node.value()]);
+      return partition->global_numbers()[node];
     }
 
     bool is_own(const LocalNode node) const
     {
-      return node.value() < partition->n_own();
+      return partition->is_own(node);
     }
 
     /// The solids' nodes that this rank knows, ascending.

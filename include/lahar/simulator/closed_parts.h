@@ -16,7 +16,7 @@ namespace Lahar
    * everywhere, ∫ ∇N_I at node I, works on no free component of the velocities. Nothing determines the level of their
    * pressure, and nothing gives way if what is prescribed changes their volume.
    *
-   * Parts may extend over several ranks. Nodes are known by the local numbers of the NodePartition.
+   * Parts may extend over several ranks. Cells have the local numbers of the NodePartition.
    */
   template <int dim>
   class ClosedParts
@@ -28,21 +28,22 @@ namespace Lahar
      * @param cells those that the rank knows, @p positions of their nodes.
      * @param is_compressible by node: whether a cell there gives way, so that its part is none of these.
      */
-    void fix_levels(const std::vector<Simplex<dim>> &cells, const std::vector<Point<dim>> &positions,
-                    const NodePartition &partition, const std::vector<bool> &is_compressible,
-                    std::vector<NodeConstraint<dim>> &constraints);
+    void fix_levels(const std::vector<Simplex<dim>> &cells,
+                    const IndexVector<LocalNode, Point<dim>> &positions, const NodePartition &partition,
+                    const IndexVector<LocalNode, bool> &is_compressible,
+                    IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 
     /**
      * @throws RunError if a part has other volumes at the end of the step than at its start, with a place in it.
      * Collective. Cells and positions as above, @p old_volumes and @p new_volumes of the cells.
      */
-    void check(const std::vector<Simplex<dim>> &cells, const std::vector<Point<dim>> &positions,
+    void check(const std::vector<Simplex<dim>> &cells, const IndexVector<LocalNode, Point<dim>> &positions,
                const std::vector<double> &old_volumes, const std::vector<double> &new_volumes,
                const NodePartition &partition) const;
 
   private:
-    std::vector<double>
-      label;             ///< by node the largest global number in its part; −1 in parts that are not closed
+    IndexVector<LocalNode, double>
+      label;             ///< the largest global number in its part; −1 in parts that are not closed
     bool is_any = false; ///< on any rank
   };
 } // namespace Lahar

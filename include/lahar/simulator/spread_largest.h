@@ -7,14 +7,12 @@
 
 #include <lahar/linear/node_partition.h>
 
-#include <vector>
-
 namespace Lahar
 {
   /// Give all nodes of a part the largest of their @p values, which are not negative, also over ranks. @p parts are sets of
-  /// nodes that hang together, both by local number. Collective.
+  /// nodes that hang together, by local number. Collective.
   void spread_largest(boost::disjoint_sets_with_storage<> &parts, const NodePartition &partition,
-                      std::vector<double> &values);
+                      IndexVector<LocalNode, double> &values);
 } // namespace Lahar
 
 #endif

@@ -13,11 +13,11 @@ namespace Lahar
   /**
    * Where all velocities of a connected part of the fluid are prescribed, nothing determines the level of its pressure:
    * fix its pressures in @p constraints, and only these. Parts may extend over several ranks. Collective.
-   * @param cells,constraints by the local numbers of @p partition.
+   * @param cells by the local numbers of @p partition.
    */
   template <int dim>
   void fix_undetermined_pressures(const std::vector<Simplex<dim>> &cells, const NodePartition &partition,
-                                  std::vector<NodeConstraint<dim>> &constraints);
+                                  IndexVector<LocalNode, NodeConstraint<dim>> &constraints);
 } // namespace Lahar
 
 #endif
