@@ -7,6 +7,7 @@
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/remeshing/wall_segments.h>
+#include <lahar/remeshing/wall_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,10 @@ namespace Lahar
         return candidates;
       }
     }
-    return local_delaunay<dim>(cloud, own, reach, is_own_candidate, migration);
+    auto candidates = local_delaunay<dim>(cloud, own, reach, is_own_candidate, migration);
+    if constexpr (dim == 3)
+      part_sides_of_walls(cloud, walls, reach, is_own_candidate, candidates);
+    return candidates;
   }
 
 
