@@ -64,14 +64,27 @@ namespace Lahar
 
 
   template <int dim>
-  void Accounts<dim>::solved(const double carried_time, const Fluid &fluid)
+  typename Accounts<dim>::BeforeMove Accounts<dim>::end_step(const double carried_time, const double lag,
+                                                             const Fluid &fluid)
+  {
+    momentum.end_step(carried_time, lag - carried_time);
+    BeforeMove before;
+    before.velocities = momentum.velocities(fluid.cloud);
+    before.momentum   = momentum_of(before.velocities, fluid);
+    return before;
+  }
+
+
+
+  template <int dim>
+  void Accounts<dim>::solved(const BeforeMove &before, const Fluid &fluid)
   {
     volume.solved(volume_of(fluid), fluid.inlets.volume());
     std::vector<double> inflow;
     for (unsigned int f = 0; f < fluid.materials.n_fluids(); ++f)
       inflow.push_back(fluid.inlets.volume(f));
     fluids.solved(volumes_of(fluid), inflow);
-    momentum.start_step(carried_time);
+    momentum.solved(momentum_of(before.velocities, fluid) - before.momentum);
     momentum.set(momentum_of(fluid));
   }
 
@@ -114,9 +127,18 @@ namespace Lahar
 
 
   template <int dim>
-  Tensor<1, dim> Accounts<dim>::momentum_of(const Fluid &fluid) const
+  typename MomentumAccount<dim>::Momenta Accounts<dim>::momentum_of(const Fluid &fluid) const
   {
     return momentum.compute(fluid.mesh, fluid.cloud, fluid.materials, fluid.communicator);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim> Accounts<dim>::momentum_of(const std::vector<Tensor<1, dim>> &velocities, const Fluid &fluid)
+  {
+    return MomentumAccount<dim>::integrate(velocities, fluid.mesh, fluid.cloud, fluid.materials,
+                                           fluid.communicator);
   }
 
 

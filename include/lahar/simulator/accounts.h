@@ -54,9 +54,19 @@ namespace Lahar
     /// Interfaces have moved to give back what the new mesh exchanged between fluids.
     void corrected(const Fluid &fluid);
 
-    /// The particles have moved as the step says, which leads to accelerations that carry momentum for @p carried_time
-    /// (s), see MomentumAccount.
-    void solved(const double carried_time, const Fluid &fluid);
+    /// The fluid at the end of a step, before its particles move.
+    struct BeforeMove
+    {
+      std::vector<Tensor<1, dim>> velocities; ///< û of MomentumAccount, by particle
+      Tensor<1, dim> momentum;                ///< of these
+    };
+
+    /// A step ends whose accelerations carry momentum for @p carried_time and whose mean forces lag behind by @p lag (s),
+    /// see MomentumAccount.
+    BeforeMove end_step(const double carried_time, const double lag, const Fluid &fluid);
+
+    /// The particles have moved as the step says.
+    void solved(const BeforeMove &before, const Fluid &fluid);
 
     /// What has moved or come and gone since the last event did so without a force.
     void rearranged(const Fluid &fluid);
@@ -73,7 +83,9 @@ namespace Lahar
     static double volume_of(const Fluid &fluid);
     /// The same of each fluid, where there are several.
     static std::vector<double> volumes_of(const Fluid &fluid);
-    Tensor<1, dim> momentum_of(const Fluid &fluid) const;
+    typename MomentumAccount<dim>::Momenta momentum_of(const Fluid &fluid) const;
+    /// Of given velocities, by particle.
+    static Tensor<1, dim> momentum_of(const std::vector<Tensor<1, dim>> &velocities, const Fluid &fluid);
   };
 } // namespace Lahar
 

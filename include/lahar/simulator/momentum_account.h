@@ -8,61 +8,91 @@
 namespace Lahar
 {
   /**
-   * The momentum of the fluid in the mesh, N s (N s/m in 2D), and what changes it without a force: new cells, particles
-   * that are inserted, removed or stopped at walls and solids, fluid that comes in or goes out. Fluid that leaves the
-   * domain takes its own with it.
+   * The momentum of the fluid in the mesh, N s (N s/m in 2D), and what changes it without a force: the changes of volume
+   * that the solver leaves to cells, new cells, particles that are inserted, removed or stopped at walls and solids, fluid
+   * that comes in or goes out. Fluid that leaves the domain takes its own with it.
    *
    *   P = ∫ ρ u,   u = v − (γ − 1) Δt a,
    *
    * linear in each cell, with γ, Δt and a of the TimeIntegration: u is what the mean forces F̄ change, Δu = Δt a, in steps
    * of the same length. With γ = 3/2 it is the mean velocity w of the step. So, with F̄ of all walls and solids,
    *
-   *   P(N) − P(0) = Σ (∫ ρ g − F̄) Δt + change by remeshing + inflow − outflow,
+   *   P(N) − P(0) = Σ (∫ ρ g − F̄) Δt + change by solver + change by remeshing + inflow − outflow,
    *
-   * where the first step, in which the acceleration is constant, counts half for γ = 3/2.
+   * where the first step, in which the acceleration is constant, counts half for γ = 3/2. The changes are those of
+   *
+   *   P̂ + t R,   P̂ = ∫ ρ û,   û = u + t a,   t = −α Δt,
+   *
+   * R the sum of F̄ over the particles at walls and solids. P̂ is what the forces F at the ends of the steps change, Δû = Δt
+   * dv/dt, for nodes that move impulsively, too: P̂_{n+1} − P̂_n = Δt (∫ ρ g − F) + ∫ ρ û_n over the change of the cells'
+   * volumes, the change by solver. Σ F̄ Δt lags behind Σ F Δt by t R, so that R, which changes with the particles that are
+   * at walls, counts as well.
    */
   template <int dim>
   class MomentumAccount
   {
   public:
-    /// A step begins, in which u has its meaning until the next one: @p new_carried_time is (γ − 1) Δt, s.
-    void start_step(const double new_carried_time)
+    struct Momenta
+    {
+      Tensor<1, dim> mean; ///< P
+      Tensor<1, dim> end;  ///< P̂ + t R
+    };
+
+    /// A step ends, by which u and û have their meaning until the next one: @p new_carried_time is (γ − 1) Δt,
+    /// @p new_half_step t less that, Δt/2 by Newmark's rule, s.
+    void end_step(const double new_carried_time, const double new_half_step)
     {
       carried_time = new_carried_time;
+      half_step    = new_half_step;
+    }
+
+    /// The solver has changed the cells' volumes, and with them P̂ of the velocities before the step, by this.
+    void solved(const Tensor<1, dim> &change)
+    {
+      change_by_solver += change;
     }
 
     /// Forces have led to @p value, or fluid has left.
-    void set(const Tensor<1, dim> &value)
+    void set(const Momenta &value)
     {
-      momentum = value;
+      momentum = value.mean;
+      end      = value.end;
     }
 
     /// Remeshing or a stop has.
-    void changed(const Tensor<1, dim> &value)
+    void changed(const Momenta &value)
     {
-      change_by_remeshing += value - momentum;
-      momentum = value;
+      change_by_remeshing += value.end - end;
+      set(value);
     }
 
     /// Fluid has come in, or the particles that do have been renewed.
-    void came_in(const Tensor<1, dim> &value)
+    void came_in(const Momenta &value)
     {
-      inflow += value - momentum;
-      momentum = value;
+      inflow += value.end - end;
+      set(value);
     }
 
     /// Fluid has gone out.
-    void went_out(const Tensor<1, dim> &value)
+    void went_out(const Momenta &value)
     {
-      outflow -= value - momentum;
-      momentum = value;
+      outflow -= value.end - end;
+      set(value);
     }
 
-    /// P of all ranks at present. Collective.
-    Tensor<1, dim> compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                           const Materials &materials, const MPI_Comm &communicator) const;
+    /// û by particle.
+    std::vector<Tensor<1, dim>> velocities(const ParticleCloud<dim> &cloud) const;
 
-    /// Columns 'Momentum x (N s)' … and 'Momentum change by remeshing x (N s)' ….
+    /// Of all ranks at present. Collective.
+    Momenta compute(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud, const Materials &materials,
+                    const MPI_Comm &communicator) const;
+
+    /// ∫ ρ u of all ranks where the particles are at present, @p u by particle. Collective.
+    static Tensor<1, dim> integrate(const std::vector<Tensor<1, dim>> &u, const FluidMesh<dim> &mesh,
+                                    const ParticleCloud<dim> &cloud, const Materials &materials,
+                                    const MPI_Comm &communicator);
+
+    /// Columns 'Momentum x (N s)' …, 'Momentum change by solver x (N s)' … and 'Momentum change by remeshing x (N s)' ….
     void add_columns(TableHandler &statistics) const;
 
     /// Columns 'Momentum inflow x (N s)' ….
@@ -74,12 +104,14 @@ namespace Lahar
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &carried_time &momentum &change_by_remeshing &inflow &outflow;
+      archive &carried_time &half_step &momentum &end &change_by_solver &change_by_remeshing &inflow &outflow;
     }
 
   private:
     double carried_time = 0.; ///< (γ − 1) Δt of the last step, s
-    Tensor<1, dim> momentum, change_by_remeshing, inflow, outflow;
+    double half_step    = 0.; ///< û = v + half_step a, s
+    Tensor<1, dim> momentum, end; ///< Momenta
+    Tensor<1, dim> change_by_solver, change_by_remeshing, inflow, outflow;
   };
 } // namespace Lahar
 
