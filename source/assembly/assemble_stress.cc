@@ -90,8 +90,29 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void assemble_stress(const FluidCell<dim> &cell, const CellStress<dim> &first,
+                       const CellStress<dim> &second, CellSystem<dim> &system)
+  {
+    if (first.tangent.coefficient != 0.)
+    {
+      assemble_stress(cell, first.stress, first.tangent, system);
+      assemble_stress(cell, second.stress, second.tangent, system);
+      return;
+    }
+    StressTangent<dim> tangent = second.tangent;
+    tangent.viscosity += first.tangent.viscosity;
+    assemble_stress(cell, SymmetricTensor<2, dim>(first.stress + second.stress), tangent, system);
+  }
+
+
+
   template void assemble_stress(const FluidCell<2> &, const SymmetricTensor<2, 2> &, const StressTangent<2> &,
                                 CellSystem<2> &);
   template void assemble_stress(const FluidCell<3> &, const SymmetricTensor<2, 3> &, const StressTangent<3> &,
+                                CellSystem<3> &);
+  template void assemble_stress(const FluidCell<2> &, const CellStress<2> &, const CellStress<2> &,
+                                CellSystem<2> &);
+  template void assemble_stress(const FluidCell<3> &, const CellStress<3> &, const CellStress<3> &,
                                 CellSystem<3> &);
 } // namespace Lahar

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/assembly/assemble_stress.h>
 #include <lahar/assembly/exact_plastic_stress.h>
 
 namespace Lahar
@@ -15,11 +14,10 @@ namespace Lahar
 
 
   template <int dim>
-  SymmetricTensor<2, dim> ExactPlasticStress<dim>::rank_one_part(const FluidCell<dim> &cell,
-                                                                 const SymmetricTensor<2, dim> &rate,
-                                                                 const double strain_rate) const
+  SymmetricTensor<2, dim>
+  ExactPlasticStress<dim>::rank_one_part(const FluidCell<dim> &cell, const SymmetricTensor<2, dim> &rate,
+                                         const double strain_rate, const FluidLaw::Value &f) const
   {
-    const FluidLaw::Value f = cell.law().plastic_part(strain_rate);
     if (linearization == ViscosityLinearization::picard || f.derivative == 0.)
       return {};
     const double factor = cell.yield_stress().value * f.derivative / strain_rate;
@@ -33,13 +31,22 @@ namespace Lahar
 
 
   template <int dim>
-  void ExactPlasticStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  CellStress<dim> ExactPlasticStress<dim>::stress(const FluidCell<dim> &cell) const
   {
     const SymmetricTensor<2, dim> rate = cell.plastic_rate();
-    const double strain_rate           = cell.plastic_strain_rate();
-    const double viscosity = cell.yield_stress().value * cell.law().plastic_part(strain_rate).value;
-    assemble_stress(cell, SymmetricTensor<2, dim>(2. * viscosity * rate),
-                    StressTangent<dim>{viscosity, 1., rate, rank_one_part(cell, rate, strain_rate)}, system);
+    const double strain_rate           = 2. * deviator_norm<dim>(rate);
+    const FluidLaw::Value f            = cell.law().plastic_part(strain_rate);
+    const double viscosity             = cell.yield_stress().value * f.value;
+    return {2. * viscosity * rate, {viscosity, 1., rate, rank_one_part(cell, rate, strain_rate, f)}};
+  }
+
+
+
+  template <int dim>
+  void ExactPlasticStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
+  {
+    const auto [of_cell, tangent] = stress(cell);
+    assemble_stress(cell, of_cell, tangent, system);
   }
 
 

@@ -235,9 +235,11 @@ namespace Lahar
       cell_system.clear();
       inertia.assemble(cell, cell_system);
       body_force.assemble(cell, cell_system);
-      viscous_stress.assemble(cell, cell_system);
       if (cell.law().has_exact_yield_stress())
-        exact_plastic_stress.assemble(cell, cell_system);
+        assemble_stress(cell, viscous_stress.viscous_part(cell), exact_plastic_stress.stress(cell),
+                        cell_system);
+      else
+        viscous_stress.assemble(cell, cell_system);
       if (state.sliver[c])
         flat_pressure_divergence.assemble(cell, corners_of<dim>(mesh.cells()[c], state.position),
                                           cell_system);

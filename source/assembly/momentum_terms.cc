@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/assembly/assemble_stress.h>
 #include <lahar/assembly/terms.h>
 
 #include <algorithm>
@@ -100,9 +99,11 @@ namespace Lahar
 
       const double pressure           = cell.confining_pressure();
       const double tau_y              = cell.law().has_exact_yield_stress() ? 0. : cell.yield_stress().value;
-      const FluidLaw::Value plastic   = cell.law().plastic_part(rate);
       const double viscous_derivative = cell.law().viscous_part(rate, pressure).derivative;
-      tangent.A                       = cell.deviator();
+      if (tau_y == 0. && viscous_derivative == 0.)
+        return tangent;
+      const FluidLaw::Value plastic = cell.law().plastic_part(rate);
+      tangent.A                     = cell.deviator();
 
       tangent.coefficient = 1.;
       // The viscous part's derivative is Newton's in both schemes; −ψ'/ψ = f'/f.
@@ -128,14 +129,27 @@ namespace Lahar
 
 
   template <int dim>
+  CellStress<dim> ViscousStress<dim>::viscous_part(const FluidCell<dim> &cell) const
+  {
+    const double viscosity = cell.law().viscous_part(cell.strain_rate(), cell.confining_pressure()).value;
+    return {2. * viscosity * cell.deviator(),
+            viscous_tangent(cell, viscosity, linearization, plastic_weight)};
+  }
+
+
+
+  template <int dim>
   void ViscousStress<dim>::assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const
   {
-    using S                              = CellSystem<dim>;
-    constexpr unsigned n                 = dim + 1;
-    const FluidLaw::Value viscosity      = cell.law().has_exact_yield_stress()
-                                             ? cell.law().viscous_part(cell.strain_rate(),
-                                                                       cell.confining_pressure())
-                                             : cell.effective_viscosity();
+    using S              = CellSystem<dim>;
+    constexpr unsigned n = dim + 1;
+    if (cell.law().has_exact_yield_stress())
+    {
+      const auto [stress, tangent] = viscous_part(cell);
+      assemble_stress(cell, stress, tangent, system);
+      return;
+    }
+    const FluidLaw::Value viscosity      = cell.effective_viscosity();
     const SymmetricTensor<2, dim> stress = 2. * viscosity.value * cell.deviator();
     const StressTangent<dim> tangent = viscous_tangent(cell, viscosity.value, linearization, plastic_weight);
 

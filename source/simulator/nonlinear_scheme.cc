@@ -190,7 +190,7 @@ namespace Lahar
     report.pressure_increment = problem.pressure_increment();
     report.is_settled         = problem.is_settled();
     const bool is_exact       = problem.fluids().any_exact_yield_stress();
-    if (is_exact)
+    if (is_exact && are_increments_small(report))
       find_yield_gap(problem, report);
     if (is_converged(problem, report))
       return;
@@ -199,27 +199,31 @@ namespace Lahar
     if (report.velocity_increment < motion_increment)
       linearization.motion = motion = true;
 
+    // Multipliers change after a full step, never inside the line search: they belong to the function that it makes
+    // smaller. Most full steps do not overshoot, so that one assembly, after the change, does for both.
+    multipliers_follow = multipliers_follow || report.velocity_increment < multiplier_increment;
+    const bool are_due = is_exact && !problem.was_damped() &&
+                         (report.iterations > n_eager_iterations ? are_increments_small(report)
+                                                                 : multipliers_follow);
+    const double work_of_update = are_due ? problem.update_multipliers() : 0.;
+
     // The assembly at the end of the step tells whether it overshoots, and serves the next iteration.
     problem.assemble(linearization);
-    double length = 1., end = problem.work_along_increment();
+    double length = 1., end = problem.work_along_increment() - work_of_update;
+    const auto overshoots = [&]() { return start < 0. && end > -overshoot * start; };
+    if (are_due && overshoots())
+    {
+      problem.take_multipliers_back();
+      problem.assemble(linearization);
+      end = problem.work_along_increment();
+    }
     linearization.plastic_weight = overshoot_weight;
-    for (unsigned int trial = 0; trial < n_trial_steps && start < 0. && end > -overshoot * start; ++trial)
+    for (unsigned int trial = 0; trial < n_trial_steps && overshoots(); ++trial)
     {
       length *= std::max(shortest_step, start / (start - end));
       problem.take_step(length);
       problem.assemble(linearization);
       end = problem.work_along_increment();
-    }
-
-    // Never inside the line search: the multipliers belong to the function that it makes smaller.
-    multipliers_follow = multipliers_follow || report.velocity_increment < multiplier_increment;
-    const bool are_due = report.iterations > n_eager_iterations ? are_increments_small(report)
-                                                                : multipliers_follow;
-    if (is_exact && are_due && length == 1. && !problem.was_damped())
-    {
-      linearization.plastic_weight = 1.;
-      problem.update_multipliers();
-      problem.assemble(linearization);
     }
   }
 

@@ -62,9 +62,40 @@ namespace Lahar
 
 
   template <int dim>
-  void StepProblem<dim>::update_multipliers()
+  std::vector<bool> StepProblem<dim>::counted_cells() const
   {
-    assembler.update_multipliers(*mesh, materials, fluid.state);
+    std::vector<bool> counted;
+    for (const Simplex<dim> &cell : system.cells_by_local_number())
+    {
+      LocalNode first(cell[0]);
+      for (const unsigned int corner : cell)
+        if (const LocalNode node(corner); numbering.global_node(node) < numbering.global_node(first))
+          first = node;
+      counted.push_back(numbering.is_own(first));
+    }
+    return counted;
+  }
+
+
+
+  template <int dim>
+  double StepProblem<dim>::update_multipliers()
+  {
+    TimerOutput::Scope scope(timer, "Assemble");
+    old_multipliers = fluid.state.multiplier;
+    // Without what is held since the system was solved.
+    const IndexVector<LocalNode, Tensor<1, dim>> increment(system.velocities(solution));
+    const double own = assembler.update_multipliers(*mesh, materials, fluid.state,
+                                                    numbering.by_vertex(increment).raw(), counted_cells());
+    return Utilities::MPI::sum(own, communicator());
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::take_multipliers_back()
+  {
+    fluid.state.multiplier.swap(old_multipliers);
   }
 
 
@@ -82,16 +113,7 @@ namespace Lahar
   template <int dim>
   typename FluidAssembler<dim>::YieldGap StepProblem<dim>::yield_gap() const
   {
-    // A cell counts on the rank of its node with the smallest number.
-    std::vector<bool> counted;
-    for (const Simplex<dim> &cell : system.cells_by_local_number())
-    {
-      LocalNode first(cell[0]);
-      for (const unsigned int corner : cell)
-        if (const LocalNode node(corner); numbering.global_node(node) < numbering.global_node(first))
-          first = node;
-      counted.push_back(numbering.is_own(first));
-    }
+    const std::vector<bool> counted   = counted_cells();
     auto own                          = assembler.yield_gap(*mesh, materials, fluid.state, counted);
     const std::vector<double> volumes = fluid.new_volumes();
     const double rate = integration.acceleration_factor(false) / integration.velocity_factor(false);
@@ -109,8 +131,12 @@ namespace Lahar
 
   template void StepProblem<2>::start_multipliers(const std::vector<SymmetricTensor<2, 2>> &);
   template void StepProblem<3>::start_multipliers(const std::vector<SymmetricTensor<2, 3>> &);
-  template void StepProblem<2>::update_multipliers();
-  template void StepProblem<3>::update_multipliers();
+  template std::vector<bool> StepProblem<2>::counted_cells() const;
+  template std::vector<bool> StepProblem<3>::counted_cells() const;
+  template double StepProblem<2>::update_multipliers();
+  template double StepProblem<3>::update_multipliers();
+  template void StepProblem<2>::take_multipliers_back();
+  template void StepProblem<3>::take_multipliers_back();
   template void StepProblem<2>::get_multipliers(std::vector<SymmetricTensor<2, 2>> &) const;
   template void StepProblem<3>::get_multipliers(std::vector<SymmetricTensor<2, 3>> &) const;
   template FluidAssembler<2>::YieldGap StepProblem<2>::yield_gap() const;

@@ -117,7 +117,7 @@ public:
       const bool is_small = largest < 1e-4 * (speed + 100. * standing);
       follow              = iteration > 20 ? is_small : follow || largest < 0.1 * speed;
       if (law.has_exact_yield_stress() && follow)
-        stokes->assembler.update_multipliers(stokes->mesh, law, state);
+        stokes->assembler.update_multipliers(stokes->mesh, law, state, change, all);
       if (is_small && (!law.has_exact_yield_stress() || gap < gap_tolerance * energy || speed < standing))
         return iteration;
     }

@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <lahar/assembly/exact_plastic_stress.h>
+#include <lahar/assembly/fluid_assembler.h>
 
 #include "assembly/example_cell.h"
 
@@ -143,6 +144,46 @@ void check_exact_stress(const FluidLaw &law)
   check(name + "with that of the flow it is Bingham's", fixed_point, 1e-12);
   check(name + "at rest it is the multiplier's", rigid, 1e-12);
   check(name + "projections have at most the length one", largest <= 1. + 1e-14);
+}
+
+/// What an update of the multipliers adds to the work of the residual along an increment.
+template <int dim>
+void check_update(const FluidLaw &law, const std::string &what)
+{
+  using S = CellSystem<dim>;
+  Random random;
+  double error = 0., size = 0.;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    Example<dim> example(random, law);
+    example.state.structure = {0.4};
+    ParticleCloud<dim> cloud;
+    Simplex<dim> cell;
+    std::vector<Tensor<1, dim>> increment;
+    for (unsigned int I = 0; I <= dim; ++I)
+    {
+      cloud.append(example.state.position[I], ParticleKind::fluid, 1.);
+      cell[I] = I;
+      increment.push_back(random.vector<dim>());
+    }
+    FluidMesh<dim> mesh;
+    mesh.reinit(cloud, {cell});
+    const auto work = [&]() {
+      const auto residual =
+        example.system(assembler(ExactPlasticStress<dim>(ViscosityLinearization::newton))).residual;
+      double sum = 0.;
+      for (unsigned int I = 0; I <= dim; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+          sum += residual[S::index(I, a)] * increment[I][a];
+      return sum;
+    };
+    const double before = work(), change = FluidAssembler<dim>().update_multipliers(mesh, law, example.state,
+                                                                                    increment, {true});
+    error = std::max(error, std::abs(work() - before - change));
+    size  = std::max(size, std::abs(change));
+  }
+  check(name_of<dim>() + what + ": an update of the multipliers changes something", size > 0.01);
+  check(name_of<dim>() + what + ": by what it says", error, 1e-12);
 }
 
 template <int dim>
@@ -284,6 +325,7 @@ void check_exact()
     check_jacobian<dim>("exact yield stress, viscous part" + name, *exact,
                         assembler(ViscousStress<dim>(ViscosityLinearization::newton)));
     check_primal_dual<dim, ExactPlasticStress<dim>>(", exact yield stress" + name, *exact);
+    check_update<dim>(*exact, " exact yield stress" + name);
     if (!Symmetry::applies<dim>())
       check_exact_stress<dim>(*exact);
   }

@@ -35,10 +35,12 @@ namespace Lahar
 
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
 
+    CellStress<dim> stress(const FluidCell<dim> &cell) const;
+
   private:
     /// B of the tangent 2 τ0 f I' + e' ⊗ B + B ⊗ e'.
     SymmetricTensor<2, dim> rank_one_part(const FluidCell<dim> &cell, const SymmetricTensor<2, dim> &rate,
-                                          const double strain_rate) const;
+                                          const double strain_rate, const FluidLaw::Value &f) const;
 
     ViscosityLinearization linearization;
     double plastic_weight;

@@ -72,9 +72,15 @@ namespace Lahar
                               std::vector<SymmetricTensor<2, dim>> &base,
                               std::vector<SymmetricTensor<2, dim>> &slope) const;
 
-    /// Of a yield stress that is exact: Λ_k becomes P(Λ_k + 2 r d') of the present velocities, see ExactPlasticStress.
-    void update_multipliers(const FluidMesh<dim> &mesh, const Materials &materials,
-                            FluidState<dim> &state) const;
+    /**
+     * Of a yield stress that is exact: Λ_k becomes Λ_{k+1} = P(X_k), X_k = Λ_k + 2 r d' of the present velocities, see
+     * ExactPlasticStress.
+     * @return Σ V τ0 [P(X_{k+1}) − P(X_k)]:δL over the @p counted cells, by which the work of the residual along
+     * @p increment of the mean velocities (by vertex) grows, W.
+     */
+    double update_multipliers(const FluidMesh<dim> &mesh, const Materials &materials, FluidState<dim> &state,
+                              const std::vector<Tensor<1, dim>> &increment,
+                              const std::vector<bool> &counted) const;
 
     /**
      * G = τ0 Σ V (γ̇ − Λ:d') ≥ 0 with Λ = 2 f e', and E = ∫ ρ (∂a/∂v) |v|² + ∫ μ γ̇², sums over the @p counted cells, in W

@@ -3,6 +3,7 @@
 #ifndef lahar_assembly_terms_h
 #define lahar_assembly_terms_h
 
+#include <lahar/assembly/assemble_stress.h>
 #include <lahar/assembly/face_pressure.h>
 #include <lahar/assembly/fluid_cell.h>
 
@@ -59,6 +60,10 @@ namespace Lahar
     {}
 
     void assemble(const FluidCell<dim> &cell, CellSystem<dim> &system) const;
+
+    /// τ and its derivative with respect to d' where the yield stress is exact, and the viscous part does not depend on the
+    /// pressure.
+    CellStress<dim> viscous_part(const FluidCell<dim> &cell) const;
 
   private:
     ViscosityLinearization linearization;

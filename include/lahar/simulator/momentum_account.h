@@ -108,8 +108,8 @@ namespace Lahar
     }
 
   private:
-    double carried_time = 0.; ///< (γ − 1) Δt of the last step, s
-    double half_step    = 0.; ///< û = v + half_step a, s
+    double carried_time = 0.;     ///< (γ − 1) Δt of the last step, s
+    double half_step    = 0.;     ///< û = v + half_step a, s
     Tensor<1, dim> momentum, end; ///< Momenta
     Tensor<1, dim> change_by_solver, change_by_remeshing, inflow, outflow;
   };

@@ -113,8 +113,12 @@ namespace Lahar
       return assembler.projects_residual();
     }
 
-    /// Λ_k of an exact yield stress become those of the present velocities, see ExactPlasticStress. Then assemble again.
-    void update_multipliers();
+    /// Λ_k of an exact yield stress become those of the present velocities, see ExactPlasticStress. Then assemble.
+    /// @return what that adds to work_along_increment(), W. Collective.
+    double update_multipliers();
+
+    /// Undo the last update_multipliers(). Then assemble.
+    void take_multipliers_back();
 
     /// Those, by cell of the mesh of the start of the step, to which @p multipliers belongs; in cells that this rank does
     /// not work on they stay.
@@ -229,6 +233,8 @@ namespace Lahar
     void start_iteration();
     /// The fluid has moved: the solids follow, and what lies between both.
     void move_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities);
+    /// Whether a cell counts on this rank, the one of its node with the smallest number.
+    std::vector<bool> counted_cells() const;
     /// Friction follows velocities, pressures and reactions.
     void iterate_friction();
     /// Velocities and pressures of the known nodes; velocities of the solids' own nodes are zero in those of the fluid.
@@ -264,6 +270,7 @@ namespace Lahar
     std::tuple<unsigned int, IndexVector<SolidNode, RegionNode>, std::vector<unsigned int>> numbered =
       {numbers::invalid_unsigned_int, {}, {}};
     StepState<dim> step_state;
+    std::vector<SymmetricTensor<2, dim>> old_multipliers; ///< before the last update_multipliers()
     IndexVector<LocalNode, NodeConstraint<dim>> constraints;
     Safeguards<dim> safeguards;
     SolidContact<dim> contact;
