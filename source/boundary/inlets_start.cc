@@ -37,7 +37,7 @@ namespace Lahar
 
   template <int dim>
   void Inlets<dim>::start(const std::vector<Source> &sources, const Walls<dim> &walls,
-                          ParticleCloud<dim> &cloud)
+                          ParticleCloud<dim> &cloud, const MPI_Comm &communicator)
   {
     inlet_of.assign(sources.size(), numbers::invalid_unsigned_int);
     for (unsigned int b = 0; b < sources.size(); ++b)
@@ -69,22 +69,35 @@ namespace Lahar
               throw InputError(message.str());
             }
         }
+      std::vector<Point<dim>> places;
+      std::vector<double> spacings;
       for (unsigned int i = 0; i < cloud.size(); ++i)
         if (cloud.kind[i] == ParticleKind::wall && cloud.part[i] == b)
         {
-          inlet.homes.push_back(cloud.position[i]);
-          inlet.places.insert(cloud.position[i]);
-          inlet.spacing.push_back(cloud.spacing[i]);
+          places.push_back(cloud.position[i]);
+          spacings.push_back(cloud.spacing[i]);
           cloud.contact_facets[i] = touched_facets(walls, cloud.position[i], cloud.spacing[i]);
+        }
+      const auto all_spacings = Utilities::MPI::all_gather(communicator, spacings);
+      unsigned int rank       = 0;
+      for (const std::vector<Point<dim>> &of_rank : Utilities::MPI::all_gather(communicator, places))
+      {
+        const std::vector<double> &spacings_of_rank = all_spacings[rank++];
+        for (unsigned int k = 0; k < of_rank.size(); ++k)
+        {
+          inlet.homes.push_back(of_rank[k]);
+          inlet.places.insert(of_rank[k]);
+          inlet.spacing.push_back(spacings_of_rank[k]);
+          const std::array<int, dim> touched = touched_facets(walls, of_rank[k], spacings_of_rank[k]);
           // What lies on a wall to which fluid sticks stays there, and what lies on one that does not lead along the inflow:
           // the rim of a hole in it.
-          const bool at_rim =
-            std::any_of(cloud.contact_facets[i].begin(), cloud.contact_facets[i].end(), [&](const int facet) {
-              return facet != ParticleCloud<dim>::no_facet &&
-                     (walls.facets()[facet].sticks || std::abs(walls.normal(facet) * inlet.direction) > 1e-3);
-            });
-          inlet.factor.push_back(at_rim ? 0. : inlet.source.law->profile(in_space<dim>(cloud.position[i])));
+          const bool at_rim = std::any_of(touched.begin(), touched.end(), [&](const int facet) {
+            return facet != ParticleCloud<dim>::no_facet &&
+                   (walls.facets()[facet].sticks || std::abs(walls.normal(facet) * inlet.direction) > 1e-3);
+          });
+          inlet.factor.push_back(at_rim ? 0. : inlet.source.law->profile(in_space<dim>(of_rank[k])));
         }
+      }
       if (inlet.homes.empty())
         throw InputError(
           "Boundary '" + inlet.source.name +
@@ -172,8 +185,10 @@ namespace Lahar
 
 
 
-  template void Inlets<2>::start(const std::vector<Source> &, const Walls<2> &, ParticleCloud<2> &);
-  template void Inlets<3>::start(const std::vector<Source> &, const Walls<3> &, ParticleCloud<3> &);
+  template void Inlets<2>::start(const std::vector<Source> &, const Walls<2> &, ParticleCloud<2> &,
+                                 const MPI_Comm &);
+  template void Inlets<3>::start(const std::vector<Source> &, const Walls<3> &, ParticleCloud<3> &,
+                                 const MPI_Comm &);
   template void Inlets<2>::find_shares(const Walls<2> &, const ParticleCloud<2> &, const FluidMesh<2> &,
                                        const MPI_Comm &);
   template void Inlets<3>::find_shares(const Walls<3> &, const ParticleCloud<3> &, const FluidMesh<3> &,

@@ -68,9 +68,11 @@ namespace Lahar
 
 
   template <int dim>
-  SolidContour<dim>::SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud)
+  SolidContour<dim>::SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud,
+                                  const double unevenness)
     : particles(facets)
     , shapes(shapes_of<dim>(facets, cloud, cloud.position))
+    , uneven(unevenness)
   {
     std::vector<Point<dim>> points;
     for (const Facet &facet : particles)

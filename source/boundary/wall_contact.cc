@@ -83,6 +83,7 @@ namespace Lahar
 
   template <int dim>
   void WallContact<dim>::attach_near(const unsigned int particle, const double distance,
+                                     const std::function<bool(const unsigned int, const int)> &meets,
                                      ParticleCloud<dim> &cloud) const
   {
     const Point<dim> &position = cloud.position[particle];
@@ -93,6 +94,8 @@ namespace Lahar
           !walls.is_hidden(facet, position))
       {
         const int side = side_of(facet, position);
+        if (separates(facet) && !meets(facet, side))
+          continue;
         if (std::none_of(slots.begin(), slots.end(),
                          [&](const int from) { return goes_on(from, facet, side, position); }))
           attach(particle, facet, side, cloud);
@@ -106,7 +109,8 @@ namespace Lahar
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
-        attach_near(i, 1e-3 * cloud.spacing[i], cloud);
+        attach_near(
+          i, 1e-3 * cloud.spacing[i], [](const unsigned int, const int) { return true; }, cloud);
   }
 
 
@@ -120,7 +124,8 @@ namespace Lahar
         continue;
       const double h = cloud.spacing[i];
 
-      auto &slots = cloud.contact_facets[i];
+      auto &slots       = cloud.contact_facets[i];
+      const auto before = slots;
       for (int &facet : slots)
         if (facet != ParticleCloud<dim>::no_facet &&
             (!walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
@@ -160,7 +165,16 @@ namespace Lahar
         std::sort(slots.begin(), slots.end(), std::greater<int>());
         attach(i, next, side, cloud);
       }
-      attach_near(i, contact_distance * h, cloud);
+      // Along a smooth surface it goes on; else it comes to a wall that it moves towards.
+      const auto meets = [&](const unsigned int facet, const int side) {
+        const Tensor<1, dim> &normal = walls.normal(facet);
+        return std::any_of(before.begin(), before.end(),
+                           [&](const int from) { return goes_on(from, facet, side, cloud.position[i]); }) ||
+               side * (normal * (cloud.velocity[i] -
+                                 step.velocity_at_end(walls.facets()[facet].boundary, cloud.position[i]))) <
+                 0.;
+      };
+      attach_near(i, contact_distance * h, meets, cloud);
     }
   }
 
@@ -192,6 +206,15 @@ namespace Lahar
   void WallContact<dim>::release(const unsigned int particle, ParticleCloud<dim> &cloud)
   {
     cloud.contact_facets[particle].fill(ParticleCloud<dim>::no_facet);
+  }
+
+
+
+  template <int dim>
+  bool WallContact<dim>::separates(const unsigned int facet) const
+  {
+    const unsigned int boundary = walls.facets()[facet].boundary;
+    return boundary < strengths.size() && strengths[boundary].has_value();
   }
 
 

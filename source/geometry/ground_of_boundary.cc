@@ -8,10 +8,10 @@
 
 namespace Lahar
 {
-  InGroundOfBoundary::InGroundOfBoundary(Parameters &prm)
+  InGroundOfBoundary::InGroundOfBoundary(Parameters &prm, const std::string &entry)
     : prm(prm)
   {
-    const std::string name   = prm.get("Boundary");
+    const std::string name   = prm.get(entry);
     const std::string before = "Boundaries/", behind = "/Shape";
     std::string names;
     bool found = false;
@@ -24,8 +24,8 @@ namespace Lahar
         found = found || known == name;
       }
     if (!found)
-      prm.throw_wrong_value("Boundary", "a boundary whose 'Shape' is 'terrain': " +
-                                          (names.empty() ? "there is none" : names));
+      prm.throw_wrong_value(entry, "a boundary whose 'Shape' is 'terrain': " +
+                                     (names.empty() ? "there is none" : names));
     for (const std::string &section : split_list(prm.path(""), '/'))
       if (!section.empty())
         here.push_back(section);

@@ -4,7 +4,9 @@
 #include <lahar/geometry/map_raster.h>
 #include <lahar/geometry/terrain.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -123,6 +125,29 @@ namespace Lahar
   {
     return Point<3>(lines[0][i] - shift[0], lines[1][j] - shift[1],
                     elevations[std::size_t(j) * lines[0].size() + i] - shift[2]);
+  }
+
+
+
+  double Terrain::elevation(const Point<2> &place) const
+  {
+    std::array<unsigned int, 2> cell;
+    std::array<double, 2> part;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const std::vector<double> &line = lines[d];
+      // Points on the rim may lie beside it by rounding.
+      const double x = place[d] + shift[d], rounding = 1e-9 * (line.back() - line.front());
+      if (!(x >= line.front() - rounding && x <= line.back() + rounding))
+        return std::numeric_limits<double>::quiet_NaN();
+      cell[d] = std::upper_bound(line.begin() + 1, line.end() - 1, x) - line.begin() - 1;
+      part[d] = (x - line[cell[d]]) / (line[cell[d] + 1] - line[cell[d]]);
+    }
+    const auto [i, j]   = cell;
+    const double corner = node(i, j)[2], opposite = node(i + 1, j + 1)[2];
+    const double beside  = part[0] > part[1] ? node(i + 1, j)[2] : node(i, j + 1)[2];
+    const double largest = std::max(part[0], part[1]), least = std::min(part[0], part[1]);
+    return corner + largest * (beside - corner) + least * (opposite - beside);
   }
 
 

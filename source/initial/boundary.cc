@@ -14,6 +14,13 @@ namespace Lahar
   {
     Factory<BoundaryShape<dim>>::declare_models(prm, "Shape", "", "Where the boundary is.");
     Factory<SurfaceLaw>::declare_models(prm, "Law", "no slip", "How fluid moves along the boundary.");
+    prm.declare_bool(
+      "Separates", false,
+      "Whether fluid that has landed on the boundary leaves it where it would be pulled by more than "
+      "'Tensile strength'; else it leaves over the rim only.");
+    prm.declare_positive(
+      "Tensile strength", "0",
+      "Normal tension in Pa that fluid and boundary bear before they separate, zero or above.");
     Factory<BoundaryMotion<dim>>::declare_models(prm, "Motion", "fixed", "How the boundary moves.");
   }
 
@@ -22,11 +29,20 @@ namespace Lahar
   template <int dim>
   void Boundary<dim>::parse_parameters(Parameters &prm, const std::string &new_name)
   {
-    name   = new_name;
-    path   = prm.path("Motion");
-    shape  = Factory<BoundaryShape<dim>>::create_chosen(prm, "Shape");
-    law    = Factory<SurfaceLaw>::create_chosen(prm, "Law");
-    motion = Factory<BoundaryMotion<dim>>::create_chosen(prm, "Motion");
+    name                  = new_name;
+    path                  = prm.path("Motion");
+    shape                 = Factory<BoundaryShape<dim>>::create_chosen(prm, "Shape");
+    law                   = Factory<SurfaceLaw>::create_chosen(prm, "Law");
+    motion                = Factory<BoundaryMotion<dim>>::create_chosen(prm, "Motion");
+    const bool separates  = prm.get_bool("Separates");
+    const double strength = prm.get_positive("Tensile strength", true);
+    if (separates)
+      tensile_strength = strength;
+    if (separates && !law->lands())
+      prm.throw_wrong_value("Separates", "false, as fluid does not land on a boundary of the law '" +
+                                           prm.get("Law") + "'");
+    if (strength > 0. && !separates)
+      prm.throw_wrong_value("Tensile strength", "0, as 'Separates' is false");
     if (motion->moves() && (inflow() != nullptr || outflow() != nullptr))
       prm.throw_wrong_value("Motion", "fixed, as fluid comes in or leaves through the boundary");
   }

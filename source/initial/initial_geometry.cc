@@ -4,6 +4,7 @@
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/sharp_edges.h>
 #include <lahar/initial/initial_geometry.h>
+#include <lahar/particles/first_owner.h>
 #include <lahar/particles/fluid_set.h>
 
 #include <algorithm>
@@ -133,7 +134,7 @@ namespace Lahar
     };
     for (const WallShape<dim> &wall : wall_shapes)
       for (const Point<dim> &p : wall.samples(h))
-        check("Boundary " + wall.name, p, is_deep_inside(p, tolerance));
+        check("Boundary " + wall.name, p, is_deep_inside(p, tolerance + 2. * solids.unevenness()));
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const double depth = tolerance + bodies[b]->roughness();
@@ -217,17 +218,52 @@ namespace Lahar
 
   template <int dim>
   void InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
-                                    ParticleCloud<dim> &cloud, Walls<dim> &walls) const
+                                    ParticleCloud<dim> &cloud, Walls<dim> &walls,
+                                    const unsigned int n_ranks) const
   {
     for (const Fluid<dim> &fluid : fluids)
       fluid.shape->check_scale(h.coarsest());
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     check_inflows(h.coarsest());
-    const Fillings fillings = fill_bodies(h);
+    const Seeds seeds = place_seeds(h, solids, cloud, walls);
+    if (has_fluid() &&
+        std::find(seeds.kind.begin(), seeds.kind.end(), ParticleKind::fluid) == seeds.kind.end())
+      throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
+
+    const std::size_t n_shared = cloud.size(), n = seeds.position.size();
+    const auto is_here = [&](const std::size_t i) { return first_owner(i, n, n_ranks) == cloud.rank; };
+    for (std::size_t i = n_shared; i < n; ++i)
+      if (is_here(i))
+      {
+        const Point<dim> &p = seeds.position[i];
+        cloud.append(p, seeds.kind[i], h(p), seeds.part[i]);
+        cloud.number.back() = i;
+        if (seeds.kind[i] == ParticleKind::fluid)
+        {
+          cloud.part.back()     = fluid_set(material(seeds.part[i]));
+          cloud.velocity.back() = fluids[fluid_of[seeds.part[i]]].initial_velocity(p);
+        }
+      }
+    cloud.next_number = n;
+    std::vector<WallFacet<dim>> surfaces = solids.wall_facets_that_land(true);
+    surfaces.insert(surfaces.end(), walls.facets().begin(), walls.facets().end());
+    mark_interfaces(Walls<dim>(surfaces), cloud);
+  }
+
+
+
+  template <int dim>
+  typename InitialGeometry<dim>::Seeds
+  InitialGeometry<dim>::place_seeds(const MeshSize<dim> &h, const SolidContour<dim> &solids,
+                                    const ParticleCloud<dim> &cloud, Walls<dim> &walls) const
+  {
+    Fillings fillings = fill_bodies(h);
     check_overlaps(fillings, h.coarsest());
+    check_common_faces(fillings, h.coarsest());
     check_solids(fillings, solids, h.coarsest());
 
+    Seeds seeds{cloud.position, cloud.kind, cloud.part};
     PointSet<dim> places;
     std::vector<unsigned int> particle_at; // by place
     const auto insert = [&](const Point<dim> &p, const unsigned int particle) {
@@ -238,7 +274,10 @@ namespace Lahar
       if (cloud.kind[i] != ParticleKind::slick_solid)
         insert(cloud.position[i], i);
     const auto append = [&](const Point<dim> &p, const ParticleKind kind, const unsigned int part) {
-      insert(p, cloud.append(p, kind, h(p), part));
+      insert(p, seeds.position.size());
+      seeds.position.push_back(p);
+      seeds.kind.push_back(kind);
+      seeds.part.push_back(part);
     };
     // Two walls may share points; what they share with an inflow is theirs.
     const auto points = create_walls(h, fillings, solids, walls);
@@ -254,7 +293,6 @@ namespace Lahar
     const Walls<dim> covered_facets(covered), open_facets(open);
     // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
     // come near to each other. Corners come first: they hold the shape.
-    std::vector<unsigned int> body_of(cloud.size(), numbers::invalid_unsigned_int);
     const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
       const FluidBody<dim> &body = *bodies[b];
       p                          = body.onto_walls(p, open_facets, h(p), contact * h(p) + body.roughness());
@@ -264,26 +302,27 @@ namespace Lahar
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
         return;
       for (const unsigned int place : places.near(p, clearance * h(p)))
-        if (const unsigned int i = particle_at[place];
-            !is_beyond_wall(cloud.position[i]) &&
-            (body_of[i] == b
-               ? cloud.position[i].distance(p) < contact * h(p)
-               : body.signed_distance(cloud.position[i]) <
-                   (cloud.kind[i] == ParticleKind::fluid ? touching : contact) * h(p) + body.roughness()))
+      {
+        const unsigned int i = particle_at[place];
+        const bool is_fluid  = seeds.kind[i] == ParticleKind::fluid;
+        if (!is_beyond_wall(seeds.position[i]) &&
+            (is_fluid && seeds.part[i] == b ? seeds.position[i].distance(p) < contact * h(p)
+                                            : body.signed_distance(seeds.position[i]) <
+                                                (is_fluid ? touching : contact) * h(p) + body.roughness()))
           return;
-      append(p, ParticleKind::fluid, fluid_set(material(b)));
-      cloud.velocity.back() = fluids[fluid_of[b]].initial_velocity(p);
-      body_of.push_back(b);
+      }
+      append(p, ParticleKind::fluid, b);
     };
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : bodies[b]->corners())
         add(b, p, contact);
     for (unsigned int b = 0; b < bodies.size(); ++b)
+    {
       for (const Point<dim> &p : fillings[b])
         add(b, p, 0.3);
-    mark_interfaces(open_facets, cloud);
-    if (has_fluid() && cloud.n_particles(ParticleKind::fluid) == 0)
-      throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
+      std::vector<Point<dim>>().swap(fillings[b]);
+    }
+    return seeds;
   }
 
 

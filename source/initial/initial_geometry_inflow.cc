@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/initial/axis.h>
 #include <lahar/initial/initial_geometry.h>
 
 #include <algorithm>
@@ -48,6 +49,41 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void InitialGeometry<dim>::check_common_faces(const Fillings &fillings, const double h) const
+  {
+    std::vector<WallFacet<dim>> facets;
+    for (const WallShape<dim> &wall : wall_shapes)
+      if (!wall.moves && boundaries[wall.boundary].name != axis_name)
+        for (const WallFacet<dim> &facet : wall.facets())
+          facets.push_back(facet);
+    const Walls<dim> walls(facets);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (const Point<dim> &p : fillings[b])
+      {
+        std::vector<unsigned int> touched;
+        for (const unsigned int f : walls.near(p, touching * h))
+          if (std::abs(walls.signed_distance(f, p)) < touching * h && walls.is_above(f, p, -0.1 * h))
+            touched.push_back(f);
+        for (const unsigned int f : touched)
+          for (const unsigned int other : touched)
+            if (facets[f].boundary < facets[other].boundary &&
+                std::abs(walls.normal(f) * walls.normal(other)) > 1. - 1e-6)
+            {
+              std::ostringstream message;
+              message << "Boundaries '" << boundaries[facets[f].boundary].name << "' and '"
+                      << boundaries[facets[other].boundary].name << "' lie on each other at (" << p
+                      << ") m, where fluid " << bodies[b]->name()
+                      << " touches them. Allowed: one boundary, and so one law, in one place.";
+              throw InputError(message.str());
+            }
+      }
+  }
+
+
+
   template void InitialGeometry<2>::check_inflows(const double) const;
   template void InitialGeometry<3>::check_inflows(const double) const;
+  template void InitialGeometry<2>::check_common_faces(const Fillings &, const double) const;
+  template void InitialGeometry<3>::check_common_faces(const Fillings &, const double) const;
 } // namespace Lahar

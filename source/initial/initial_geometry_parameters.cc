@@ -146,6 +146,17 @@ namespace Lahar
 
 
   template <int dim>
+  TensileStrengths InitialGeometry<dim>::tensile_strengths() const
+  {
+    TensileStrengths strengths;
+    for (const Boundary<dim> &boundary : boundaries)
+      strengths.push_back(boundary.tensile_strength);
+    return strengths;
+  }
+
+
+
+  template <int dim>
   std::vector<std::string> InitialGeometry<dim>::warnings(const double h) const
   {
     std::vector<std::string> result;
@@ -208,6 +219,7 @@ namespace Lahar
   template std::vector<typename Inlets<2>::Source> InitialGeometry<2>::inflows() const;
   template Outlets<2> InitialGeometry<2>::outlets() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<2>::surface_laws() const;
+  template TensileStrengths InitialGeometry<2>::tensile_strengths() const;
   template std::vector<std::string> InitialGeometry<2>::warnings(const double) const;
   template void InitialGeometry<3>::declare_parameters(Parameters &, const CaseStructure &);
   template void InitialGeometry<3>::parse_parameters(Parameters &, const CaseStructure &);
@@ -215,5 +227,6 @@ namespace Lahar
   template std::vector<typename Inlets<3>::Source> InitialGeometry<3>::inflows() const;
   template Outlets<3> InitialGeometry<3>::outlets() const;
   template std::vector<const SurfaceLaw *> InitialGeometry<3>::surface_laws() const;
+  template TensileStrengths InitialGeometry<3>::tensile_strengths() const;
   template std::vector<std::string> InitialGeometry<3>::warnings(const double) const;
 } // namespace Lahar

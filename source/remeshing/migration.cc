@@ -2,6 +2,7 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include <lahar/particles/first_owner.h>
 #include <lahar/remeshing/migration.h>
 
 #include <algorithm>
@@ -247,7 +248,7 @@ namespace Lahar
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mpi_communicator);
     cloud.rank                 = Utilities::MPI::this_mpi_process(mpi_communicator);
     for (unsigned int i = 0; i < cloud.size(); ++i)
-      cloud.owner[i] = static_cast<std::size_t>(i) * n_ranks / cloud.size();
+      cloud.owner[i] = first_owner(cloud.number[i], cloud.next_number, n_ranks);
     FluidMesh<dim> no_mesh;
     migrate(cloud, no_mesh, distance, n_shared);
   }

@@ -45,7 +45,7 @@ namespace Lahar
     const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
     account.counters.kept_out += count_on_ranks(
       SolidContour<dim>(contour.facets_that_land(false), region.particles).keep_out(old_position, region.particles));
-    WallContact<dim>(contact_step).update(old_position, region.particles);
+    WallContact<dim>(contact_step, input.geometry.tensile_strengths()).update(old_position, region.particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(region.mesh, volumes, region.particles);
     migration.update(region.particles);

@@ -7,6 +7,7 @@
 #include <lahar/remeshing/first_mesh_check.h>
 #include <lahar/simulator/cost_estimate.h>
 #include <lahar/simulator/simulator.h>
+#include <lahar/utilities/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,20 +36,23 @@ namespace Lahar
     for (const std::string &text : solids.create(input.mesh_size, input.run.start_time,
                                                  input.geometry.has_fluid() || input.gravity.norm() > 0.))
       output.warn(text);
+    region.particles.rank      = Utilities::MPI::this_mpi_process(communicator());
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator());
     solids.append_particles(input.mesh_size, input.surfaces.slick(), region.particles);
-    const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
-    input.geometry.create(input.mesh_size, contour, region.particles, walls);
+    const SolidContour<dim> contour(solids.mesh().contour(), region.particles, solids.unevenness());
+    input.geometry.create(input.mesh_size, contour, region.particles, walls, n_ranks);
     if (input.geometry.any_boundary_moves())
       walls = input.geometry.walls_at(input.run.start_time); // to the last bit where a resumed run has them
     prm.enter_subsection("Linear solver");
     const bool solves_directly = prm.get("Type") == "direct";
     prm.leave_subsection();
-    if (solves_directly && Utilities::MPI::n_mpi_processes(communicator()) > 1)
+    if (solves_directly && n_ranks > 1)
       output.warn(
         "Warning: 'Linear solver/Type' is 'direct', which several ranks do not make faster; 'iterative' is.");
     for (const std::string &text : input.geometry.warnings(input.mesh_size.coarsest()))
       output.warn(text);
-    if (const std::string text = warn_of_open_floor(region.particles, obstacles(contour), input.gravity);
+    if (const std::string text = warn_of_open_floor(region.particles, obstacles(contour), input.gravity,
+                                                    communicator());
         !text.empty())
       output.warn(text);
     // As if the solids had come with their velocities for a second.
@@ -56,12 +60,12 @@ namespace Lahar
     for (unsigned int i = 0; i < solids.mesh().n_contour_nodes(); ++i)
       old_position[i] -= region.particles.velocity[i];
     WallContact<dim>(with_slick_solids(WallStep<dim>(walls), old_position, 1.)).initialize(region.particles);
-    inlets.start(input.geometry.inflows(), walls, region.particles);
+    inlets.start(input.geometry.inflows(), walls, region.particles, communicator());
     outlets = input.geometry.outlets();
-    outlets.check_initial(region.particles);
+    on_all_ranks(communicator(), [&] { outlets.check_initial(region.particles); });
     outlets.check_levels(input.gravity, materials.n_fluids());
     outlets.start_forces(input.geometry.all_boundaries().size());
-    input.domain_limit.check_initial(prm, region.particles);
+    on_all_ranks(communicator(), [&] { input.domain_limit.check_initial(prm, region.particles); });
     FluidStructure<dim>::prepare(materials, region.particles);
     migration.distribute(region.particles, region_distance(), solids.mesh().n_contour_nodes());
     create_first_mesh();

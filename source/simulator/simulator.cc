@@ -3,6 +3,7 @@
 #include <lahar/assembly/fluid_structure.h>
 #include <lahar/boundary/solid_touch.h>
 #include <lahar/boundary/wall_contact.h>
+#include <lahar/boundary/wall_separation.h>
 #include <lahar/remeshing/interface_correction.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
@@ -169,6 +170,9 @@ namespace Lahar
   void Simulator<dim>::remesh(const double time_step)
   {
     TimerOutput::Scope scope(timer, "Remesh");
+    if (WallSeparation<dim>::release(input.geometry.tensile_strengths(), walls, region.mesh, region.particles,
+                                     communicator()) > 0)
+      migration.update(region.particles);
     exchange_fluid();
     if (const unsigned int n_dropped = count_on_ranks(
           input.domain_limit.drop_outside(region.particles, region.mesh)))

@@ -36,6 +36,11 @@ namespace Lahar
                       corners = dim == 2 ? "'x, y : x, y'" : "'x, y, z : x, y, z'",
                       by      = boxes + corners + " separated by ';'";
     Factory<SolidShape<dim>>::declare_models(prm, "Shape", "", "The undeformed solid.");
+    prm.declare_text(
+      "Ground", "",
+      "A boundary of the shape 'terrain' on which the solid stands: the shape is drawn as if its ground "
+      "were the plane of elevation zero, and raised, point by point, by the elevation under it. "
+      "Boxes as in 'Clamped' are those of the drawing.");
     prm.declare_list("Clamped", "", ';', "Part of the contour that does not move" + by + ".");
     prm.declare_list("Driven", "", ';', "Part of the contour with a given motion" + by + ".");
     prm.declare_list("Driving velocity", zero, ';',
@@ -57,8 +62,10 @@ namespace Lahar
   template <int dim>
   void SolidBody<dim>::parse_parameters(Parameters &prm, const std::string &new_name)
   {
-    name                  = new_name;
-    shape                 = Factory<SolidShape<dim>>::create_chosen(prm, "Shape");
+    name  = new_name;
+    shape = Factory<SolidShape<dim>>::create_chosen(prm, "Shape");
+    if (!prm.get("Ground").empty())
+      ground.emplace(prm, "Ground", name);
     const auto prescribed = [&prm](const std::string &where, std::shared_ptr<FunctionParser<dim>> function) {
       return Prescribed{parse_boxes<dim>(prm, where), std::move(function), prm.path(where), prm.get(where)};
     };

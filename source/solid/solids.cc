@@ -82,12 +82,12 @@ namespace Lahar
     solid_mesh = std::make_unique<SolidMesh<dim>>(degree);
     if (empty())
       return warnings;
-    std::vector<Point<dim>> vertices;
+    std::vector<Point<dim>> vertices, drawn_vertices;
     std::vector<CellData<dim>> cells;
     double n_asked = 0.;
     for (unsigned int body = 0; body < bodies.size(); ++body)
     {
-      const double size = mesh_size.finest_in(bodies[body].shape->box());
+      const double size = mesh_size.finest_in(bodies[body].box());
       n_asked += bodies[body].shape->estimate_size(degree * size, degree);
       if (!(n_asked <= max_nodes))
       {
@@ -115,8 +115,15 @@ namespace Lahar
                                                       bodies[body].shape->box(), h, path))
           warnings.push_back(text);
       bodies[body].shape->append(degree * size, body, vertices, cells);
+      for (unsigned int v = drawn_vertices.size(); v < vertices.size(); ++v)
+      {
+        drawn_vertices.push_back(vertices[v]);
+        if (bodies[body].ground)
+          vertices[v] = bodies[body].ground->raised(vertices[v]);
+      }
     }
     solid_mesh->reinit(vertices, cells);
+    find_drawn(drawn_vertices);
     const SolidMesh<dim> &mesh = *solid_mesh;
     const unsigned int n       = mesh.n_nodes();
     tolerance                  = 1e-6 * h;
@@ -132,6 +139,7 @@ namespace Lahar
         narrowest = std::min(narrowest, length);
       }
     place_tolerance = 1e-3 * narrowest;
+    find_unevenness();
 
     present.position.resize(n);
     present.velocity.resize(n);
@@ -153,8 +161,8 @@ namespace Lahar
         present.velocity[i][d] = body.initial_velocity->value(reference, d);
       if (i < mesh.n_contour_nodes())
       {
-        clamped[i] = body.clamped.contains(reference, place_tolerance);
-        driven[i]  = !clamped[i] && body.driven.contains(reference, place_tolerance);
+        clamped[i] = body.clamped.contains(drawn[i], place_tolerance);
+        driven[i]  = !clamped[i] && body.driven.contains(drawn[i], place_tolerance);
         n_clamped[b] += clamped[i];
         n_driven[b] += driven[i];
       }
@@ -164,7 +172,7 @@ namespace Lahar
     for (const auto &cell : mesh.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f) &&
-            bodies[cell->material_id()].loaded.contains(cell->face(f)->center(), place_tolerance))
+            bodies[cell->material_id()].loaded.contains(drawn_middle(cell, f), place_tolerance))
           ++n_loaded[cell->material_id()];
     any_loads = std::any_of(n_loaded.begin(), n_loaded.end(), [](const unsigned int k) { return k > 0; });
 
@@ -284,7 +292,7 @@ namespace Lahar
       for (const unsigned int f : cell->face_indices())
       {
         const auto &loaded = bodies[cell->material_id()].loaded;
-        if (!cell->at_boundary(f) || !loaded.contains(cell->face(f)->center(), place_tolerance))
+        if (!cell->at_boundary(f) || !loaded.contains(drawn_middle(cell, f), place_tolerance))
           continue;
         values.reinit(cell, f);
         const unsigned int *nodes = solid_mesh->cell_nodes(cell->active_cell_index());

@@ -43,6 +43,8 @@ def test_inflows(model):
             prepare=lambda directory: write(directory, "hydrograph.csv", "0, 1\n0.002, -1\n"))
     refused("two inflows on one face", ["'river'", "'pipe'", "(0 0.05", "one inflow"],
             text=case(river=inlet(left), pipe=inlet("0, 0.05 : 0, 0.2")))
+    refused("two boundaries on one face", ["'bed'", "'floor'", "lie on each other at (0.", "one boundary"],
+            text=case(bed=wall("0.02, 0 : 0.1, 0", "free slip")))
     refused("an inflow inside a wall", ["'river'", "'block'", "(0.3 0.05", "rigid bodies"],
             text=case(river=inlet("0.3, 0.05 : 0.3, 0.15"), block=wall("0.2, 0.02 : 0.4, 0.02 : 0.4, 0.2 : 0.2, 0.2 : 0.2, 0.02")))
     refused("an inflow without fluid", ["'river'", "no fluid touches it at (0.3", "llowed"],

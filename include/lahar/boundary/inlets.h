@@ -48,11 +48,12 @@ namespace Lahar
     };
 
     /**
-     * Take the particles of the boundaries, of which @p cloud has all, for the homes; they touch the slip walls that
-     * they lie on. @param sources by boundary.
+     * Take the particles of the boundaries, of which @p cloud has a part on each rank, in the order of ranks, for the
+     * homes; they touch the slip walls that they lie on. @param sources by boundary. Collective.
      * @throws InputError for a boundary that is not plane or without particles.
      */
-    void start(const std::vector<Source> &sources, const Walls<dim> &walls, ParticleCloud<dim> &cloud);
+    void start(const std::vector<Source> &sources, const Walls<dim> &walls, ParticleCloud<dim> &cloud,
+               const MPI_Comm &communicator);
 
     /// Find the side of the fluid and the homes' shares of the first mesh. Collective. @throws InputError where no
     /// fluid touches a home, or something stands before it.

@@ -20,7 +20,9 @@ namespace Lahar
   public:
     using Facet = std::array<unsigned int, dim>;
 
-    SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud);
+    /// @param unevenness how far rough walls may reach into a foot that stands on them, m.
+    SolidContour(const std::vector<Facet> &facets, const ParticleCloud<dim> &cloud,
+                 const double unevenness = 0.);
 
     /// The facets as particle indices.
     const std::vector<Facet> &facets() const
@@ -32,6 +34,11 @@ namespace Lahar
     const std::vector<WallFacet<dim>> &wall_facets() const
     {
       return shapes.facets();
+    }
+
+    double unevenness() const
+    {
+      return uneven;
     }
 
     /// Those facets on which fluid lands, or the others.
@@ -59,6 +66,7 @@ namespace Lahar
     std::vector<Facet> particles;
     Walls<dim> shapes;
     BoundingBox<dim> box;
+    double uneven;
   };
 } // namespace Lahar
 

@@ -3,6 +3,7 @@
 #ifndef lahar_boundary_wall_contact_h
 #define lahar_boundary_wall_contact_h
 
+#include <lahar/boundary/wall_separation.h>
 #include <lahar/boundary/wall_step.h>
 #include <lahar/linear/node_constraint.h>
 #include <lahar/particles/particle_cloud.h>
@@ -19,16 +20,19 @@ namespace Lahar
    * A particle that passes through a facet on which fluid lands (WallFacet), or comes nearer than a tenth of its spacing, is
    * put on it and takes its normal velocity. It lies contact_offset times its spacing off the facet's plane, on its side,
    * and stays there wherever the plane goes. Where a surface is smooth (smooth_joint) it goes on from one facet to the next;
-   * in a sharp hollow corner it belongs to two or three. It leaves a facet only over its rim or when it is isolated.
+   * in a sharp hollow corner it belongs to two or three. It leaves a facet over its rim, when it is isolated, or where the
+   * facet separates (WallSeparation); what moves away from such a facet does not land on it for being near, unless it comes
+   * along it from one that goes on smoothly into it.
    */
   template <int dim>
   class WallContact
   {
   public:
     /// @param step where the walls are and go to; it must outlive this object.
-    explicit WallContact(const WallStep<dim> &step)
+    explicit WallContact(const WallStep<dim> &step, const TensileStrengths &strengths = {})
       : step(step)
       , walls(step.end())
+      , strengths(strengths)
     {}
 
     /// Put all fluid particles that lie on a wall in contact with it.
@@ -54,7 +58,10 @@ namespace Lahar
                 ParticleCloud<dim> &cloud) const;
 
     /// Put a fluid particle in contact with all facets nearer than @p distance (m) that it sees, on the side where it is.
-    void attach_near(const unsigned int particle, const double distance, ParticleCloud<dim> &cloud) const;
+    /// What separates counts if @p meets says so of facet and side.
+    void attach_near(const unsigned int particle, const double distance,
+                     const std::function<bool(const unsigned int, const int)> &meets,
+                     ParticleCloud<dim> &cloud) const;
 
     /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
     bool goes_on(const int from, const unsigned int to, const int side, const Point<dim> &position) const;
@@ -63,6 +70,9 @@ namespace Lahar
     /// nonlinear iteration, which may be more than the particle is off a facet.
     void put_on_solids(const unsigned int particle, const Point<dim> &old_position,
                        ParticleCloud<dim> &cloud) const;
+
+    /// Whether fluid leaves a facet where it pulls.
+    bool separates(const unsigned int facet) const;
 
     /// On which side of a facet a point is at the end of the step; of one of a solid, outside.
     int side_of(const unsigned int facet, const Point<dim> &point) const;
@@ -79,6 +89,7 @@ namespace Lahar
 
     const WallStep<dim> &step;
     const Walls<dim> &walls; ///< at the end of the step
+    TensileStrengths strengths;
   };
 } // namespace Lahar
 

@@ -10,13 +10,13 @@
 
 namespace Lahar
 {
-  /// Enters the subsection of the shape 'terrain' of the boundary that the entry 'Boundary' of the current section names;
-  /// back to where the handler was when it goes out of scope.
+  /// Enters the subsection of the shape 'terrain' of the boundary that an entry of the current section names; back to
+  /// where the handler was when it goes out of scope.
   class InGroundOfBoundary
   {
   public:
     /// @throws InputError with the names of the boundaries that have the shape.
-    explicit InGroundOfBoundary(Parameters &prm);
+    explicit InGroundOfBoundary(Parameters &prm, const std::string &entry = "Boundary");
     ~InGroundOfBoundary();
 
     InGroundOfBoundary(const InGroundOfBoundary &)            = delete;

@@ -48,6 +48,9 @@ namespace Lahar
     /// Mean distance of grid lines, m.
     double spacing() const;
 
+    /// z of the triangles over a point, x and y in coordinates of the case; NaN beside the window.
+    double elevation(const Point<2> &place) const;
+
     /// Counterclockwise seen from above, in coordinates of the case.
     std::vector<std::array<Point<3>, 3>> triangles() const;
 

@@ -10,6 +10,7 @@
 #include <lahar/geometry/boundary_shape.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ namespace Lahar
     std::unique_ptr<BoundaryShape<dim>> shape;
     std::unique_ptr<SurfaceLaw> law;
     std::unique_ptr<BoundaryMotion<dim>> motion;
+    std::optional<double>
+      tensile_strength; ///< Pa; none if fluid does not leave it where it pulls, see WallSeparation
   };
 } // namespace Lahar
 

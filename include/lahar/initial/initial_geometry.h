@@ -6,6 +6,7 @@
 #include <lahar/boundary/inlets.h>
 #include <lahar/boundary/outlets.h>
 #include <lahar/boundary/solid_contour.h>
+#include <lahar/boundary/wall_separation.h>
 #include <lahar/boundary/wall_step.h>
 #include <lahar/geometry/initial_region.h>
 #include <lahar/geometry/narrow_gap.h>
@@ -54,12 +55,13 @@ namespace Lahar
 
     /**
      * Fill @p walls and, after the solids' particles that are there already, @p cloud with spacing @p h (m). Fluid has its
-     * initial velocity.
+     * initial velocity. Of @p n_ranks the cloud's rank gets those that are first its own (first_owner());
+     * the particles and their numbers are the same for any number of ranks.
      * @throws InputError if a body is smaller than @p h, if there would be too many particles, if bodies,
      * walls and solids overlap.
      */
     void create(const MeshSize<dim> &h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
-                Walls<dim> &walls) const;
+                Walls<dim> &walls, const unsigned int n_ranks = 1) const;
 
     /// Whether a simplex of the particles that create() made belongs to the bodies (InitialRegion), or to the gap below
     /// 0.1 h between one of them and a wall or solid. Valid as long as this object.
@@ -86,6 +88,9 @@ namespace Lahar
 
     /// The laws of the boundaries' surfaces, in their order.
     std::vector<const SurfaceLaw *> surface_laws() const;
+
+    /// By boundary: the normal tension that it bears before fluid leaves it, Pa; none where fluid does not.
+    TensileStrengths tensile_strengths() const;
 
     bool any_boundary_moves() const;
 
@@ -123,6 +128,18 @@ namespace Lahar
 
     /// Add the axis of rotational symmetry to the boundaries, see make_axis(). @throws InputError for fluid at x < 0
     void add_axis(Parameters &prm);
+    /// The first particles in the order of their numbers: of fluid the part is the number of its body.
+    struct Seeds
+    {
+      std::vector<Point<dim>> position;
+      std::vector<ParticleKind> kind;
+      std::vector<unsigned int> part;
+    };
+
+    /// Behind those of the solids, which @p cloud has; and fill @p walls.
+    Seeds place_seeds(const MeshSize<dim> &h, const SolidContour<dim> &solids,
+                      const ParticleCloud<dim> &cloud, Walls<dim> &walls) const;
+
     /// The points of all bodies; of those inside none is so near to another fluid that an interface would not be Delaunay.
     Fillings fill_bodies(const MeshSize<dim> &h) const;
 
@@ -137,6 +154,8 @@ namespace Lahar
     void check_overlaps(const Fillings &fillings, const double h) const;
     /// @throws InputError if fluid comes in inside a rigid body, or twice in one place.
     void check_inflows(const double h) const;
+    /// @throws InputError if the fluid touches two boundaries that stand in one place.
+    void check_common_faces(const Fillings &fillings, const double h) const;
     void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
 
     /// Points where bodies and solids touch @p wall.

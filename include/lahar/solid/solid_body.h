@@ -6,10 +6,12 @@
 #include <deal.II/base/function_parser.h>
 
 #include <lahar/geometry/box.h>
+#include <lahar/geometry/ground.h>
 #include <lahar/geometry/solid_shape.h>
 #include <lahar/material/solid_law.h>
 
 #include <memory>
+#include <optional>
 
 namespace Lahar
 {
@@ -18,6 +20,9 @@ namespace Lahar
    *
    * Parts of the contour are named by boxes in the undeformed configuration: the nodes (for loads: the faces whose
    * middle) inside count.
+   *
+   * A solid that stands on a ground is drawn as if the ground were the plane of elevation zero: each of its vertices is
+   * raised by the elevation of the ground under it. Boxes name parts of the drawing.
    */
   template <int dim>
   class SolidBody
@@ -41,8 +46,15 @@ namespace Lahar
     /// Read the handler's current section, of the solid's name. @throws InputError
     void parse_parameters(Parameters &prm, const std::string &name);
 
+    /// The smallest box around the shape where it stands.
+    Box<dim> box() const
+    {
+      return ground ? ground->raised(shape->box()) : shape->box();
+    }
+
     std::string name;
     std::unique_ptr<SolidShape<dim>> shape;
+    std::optional<Ground<dim>> ground; ///< on which it stands
     std::unique_ptr<SolidLaw> law;
     Prescribed clamped;                                    ///< without a function
     Prescribed driven;                                     ///< velocity, m/s

@@ -100,8 +100,23 @@ namespace Lahar
       return gamma;
     }
 
+    /// How far the feet of solids that stand on a ground lie off it between their nodes, m: about the most at the
+    /// middles of facets and their edges.
+    double unevenness() const
+    {
+      return uneven;
+    }
+
   private:
     void check_contour() const;
+
+    /// Find where nodes are in the drawing, whose mesh has these vertices.
+    void find_drawn(const std::vector<Point<dim>> &vertices);
+    void find_unevenness();
+
+    /// The middle of a face in the drawing.
+    Point<dim> drawn_middle(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                            const unsigned int face) const;
 
     std::vector<SolidBody<dim>> bodies;
     unsigned int degree = 2;
@@ -114,6 +129,8 @@ namespace Lahar
     double place_tolerance = 0.; ///< for parts of the contour in boxes, m
     bool any_loads         = false;
     unsigned int max_nodes = 0;
+    std::vector<Point<dim>> drawn; ///< by node: its undeformed place before it was raised, see SolidBody
+    double uneven = 0.;            ///< m
   };
 } // namespace Lahar
 

@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Test an elastic barrier that stands on rough ground in the way of a debris flow: its foot follows the ground and stays,
+its weight is that of the drawing, forces and momentum balance, volume is kept; a resumed run is the same bit for bit, two
+ranks compute the same; in the plane; ground that is not there is refused.
+
+Usage: on_ground.py LAHAR MPIEXEC
+"""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "contrib", "plot"))
+
+from lahar_output import read_statistics  # noqa: E402
+from program_test import check, failed, new_case, on_ranks, parts, section, shape  # noqa: E402
+
+LAHAR, MPIEXEC = os.path.abspath(sys.argv[1]), sys.argv[2]
+
+STEP = 0.01
+SOLID_DENSITY = 2400.
+
+
+def elevation(x, y):
+    """A slope of 1 : 2 with bumps about a metre long."""
+    return 10. - 0.5 * x + 0.15 * math.sin(2.9 * x + 1.) * math.sin(2.3 * y) + 0.1 * math.sin(4.7 * y + x)
+
+
+def write_ground(directory):
+    with open(os.path.join(directory, "ground.asc"), "w") as file:
+        file.write("ncols 25\nnrows 17\nxllcenter 0\nyllcenter 0\ncellsize 0.5\nNODATA_value -9999\n")
+        for row in range(16, -1, -1):
+            file.write(" ".join(f"{elevation(0.5 * column, 0.5 * row):.4f}" for column in range(25)) + "\n")
+
+
+def solid(corners, clamped, ground="ground"):
+    return shape("box", f"Corners = {corners}", "Elements = 1, 10, 4") + f"set Ground = {ground}\nset Clamped = {clamped}\n" + \
+        "set Law = hypoelastic\n" + section("hypoelastic", f"set Density = {SOLID_DENSITY:g}", "set Young's modulus = 2e8",
+                                            "set Poisson's ratio = 0.2")
+
+
+CASE = f"""
+set Dimension         = 3
+set Output directory  = out
+set End time          = 0.24
+set Time step         = {STEP:g}
+set Maximum time step = {STEP:g}
+set Mesh size         = 0.5
+set Output interval   = 0.1
+set Gravity           = 0, 0, -9.81
+""" + parts("Boundaries", {"ground": shape("terrain", "File = ground.asc", "Spacing = 0.5") + "set Law = Navier slip\n" +
+                           section("Navier slip", "set Slip coefficient = 500")}) + \
+    parts("Fluids", {"debris": shape("release", "Boundary = ground", "Depth = 1.2",
+                                     "Outline = 2, 2 : 4.5, 2 : 4.5, 6 : 2, 6") + "set Initial velocity = 4; 0; -2\n" +
+                     "set Law = Bingham\n" + section("Bingham", "set Density = 1800", "set Plastic viscosity = 100",
+                                                     "set Yield stress = 200")}) + \
+    parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")})
+
+TIGHT = """
+subsection Nonlinear solver
+  set Tolerance = 1e-9
+  set Maximum iterations = 50
+end
+subsection Linear solver
+  subsection Iterative
+    set Tolerance = 1e-12
+  end
+end
+"""
+
+
+def run(directory, *arguments, n_ranks=1):
+    command, environment = on_ranks([LAHAR, *arguments, "case.prm"], MPIEXEC, n_ranks)
+    return subprocess.run(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+
+
+def case(parent, name, text):
+    directory = new_case(parent, name, text)
+    write_ground(directory)
+    return directory
+
+
+def statistics(directory):
+    return read_statistics(os.path.join(directory, "out", "statistics"))
+
+
+def test_flow(parent):
+    """The debris reaches the barrier, and is held."""
+    whole = case(parent, "whole", CASE)
+    process = run(whole)
+    check("the run succeeds", process.returncode == 0, process.stdout[-500:], process.stderr)
+    s = statistics(whole)
+    weight = SOLID_DENSITY * 9.81 * 0.5 * 5. * 2.
+    pushed = s["barrier fluid force x (N)"].max()
+    check("the debris pushes the barrier downhill", pushed > 0.05 * weight, pushed, weight)
+    check("volume change by the solver", np.abs(s["Volume change by solver"]).max() < 1e-6)
+    check("volume change by remeshing", np.abs(s["Volume change by remeshing"]).max() < 0.02,
+          s["Volume change by remeshing"][-1])
+
+    # Momentum, within the largest impulse of a step.
+    dt = s["Time step size (s)"].copy()
+    dt[0] *= 0.5
+    mass = 1800. * s["Fluid volume (m^dim)"]
+    for axis, gravity in [("x", 0.), ("y", 0.), ("z", -9.81)]:
+        momentum = s[f"Momentum {axis} (N s)"]
+        on_walls = s[f"ground force {axis} (N)"] + s[f"barrier fluid force {axis} (N)"]
+        rate = mass * gravity - on_walls
+        lacks = (momentum - momentum[0]) - (np.cumsum(rate * dt) - rate[0] * dt[0]) - (
+            s[f"Momentum change by remeshing {axis} (N s)"] - s[f"Momentum change by remeshing {axis} (N s)"][0])
+        check(f"balance of momentum along {axis}", np.abs(lacks).max() < 2. * np.abs(rate * dt).max(),
+              np.abs(lacks).max(), np.abs(rate * dt).max(), np.abs(momentum).max())
+
+    parts_of = case(parent, "parts", CASE)
+    check("the first part succeeds", run(parts_of, "--set", "End time=0.1").returncode == 0)
+    check("the second part succeeds", run(parts_of, "--resume").returncode == 0)
+    resumed = statistics(parts_of)
+    check("the resumed run is the same bit for bit",
+          all(np.array_equal(s[name], resumed[name]) for name in s if name != "Wall time (s)"))
+
+
+def test_ranks(parent):
+    columns = ("Fluid volume (m^dim)", "Kinetic energy (J)", "barrier support force z (N)", "Momentum x (N s)")
+    runs = {}
+    for n_ranks in (1, 2):
+        directory = case(parent, f"ranks_{n_ranks}", CASE + TIGHT)
+        process = run(directory, "--set", "End time=0.05", n_ranks=n_ranks)
+        check(f"{n_ranks} ranks: the run succeeds", process.returncode == 0, process.stdout[-500:], process.stderr)
+        runs[n_ranks] = statistics(directory)
+    for name in columns:
+        largest = np.abs(runs[1][name]).max()
+        check(f"two ranks: {name}", np.abs(runs[1][name] - runs[2][name]).max() < 1e-8 * largest,
+              np.abs(runs[1][name] - runs[2][name]).max() / largest)
+
+
+def test_weight(parent):
+    """A barrier without fluid: its foot bears the weight of the drawing, since raising it is a shear."""
+    head = f"""
+set Output directory = out
+set End time         = {30 * STEP:g}
+set Time step        = {STEP:g}
+set Mesh size        = 0.5
+"""
+    ground = parts("Boundaries", {"ground": shape("terrain", "File = ground.asc") + "set Law = no slip\n"})
+    bed = parts("Boundaries", {"bed": shape("terrain", "File = profile.csv") + "set Law = no slip\n"})
+    for name, text, column, volume in [
+            ("space", "set Dimension = 3\n" + head + ground +
+             parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")}),
+             "barrier support force z (N)", 0.5 * 5. * 2.),
+            ("plane", head + bed + parts("Solids", {"wall": solid("6, 0 : 7, 2", "0, 0 : 12, 0", "bed").replace(
+                "1, 10, 4", "4, 6")}), "wall support force y (N)", 2.)]:
+        directory = case(parent, "weight_" + name, text.replace("2e8", "2e10"))
+        with open(os.path.join(directory, "profile.csv"), "w") as file:
+            file.writelines(f"{0.4 * k}, {5. - 0.2 * k + 0.1 * math.sin(3. * k)}\n" for k in range(31))
+        process = run(directory)
+        check(f"{name}: the run succeeds", process.returncode == 0, process.stdout[-500:], process.stderr)
+        support = statistics(directory)[column] / (SOLID_DENSITY * 9.81 * volume)
+        check(f"{name}: the foot bears the weight", abs(support[-1] - 1.) < 0.01, support)
+
+
+def test_refused(parent):
+    for name, old, new, words in [
+            ("no such ground", "set Ground = ground", "set Ground = hill", ["Solids/barrier/Ground", "'hill'", "'ground'"]),
+            ("beside the ground", "5.5, 6.5, 2", "5.5, 9.5, 2", ["Solids/barrier/Ground", "'barrier'", "(5 8.3 0)"])]:
+        process = run(case(parent, "refused_" + name.replace(" ", "_"), CASE.replace(old, new)))
+        check(f"refused: {name}", process.returncode == 2 and all(word in process.stderr for word in words),
+              process.returncode, process.stderr)
+
+
+with tempfile.TemporaryDirectory() as parent_directory:
+    test_refused(parent_directory)
+    test_weight(parent_directory)
+    test_flow(parent_directory)
+    test_ranks(parent_directory)
+sys.exit(1 if failed else 0)
