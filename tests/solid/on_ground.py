@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test an elastic barrier that stands on rough ground in the way of a debris flow: its foot follows the ground and stays,
-its weight is that of the drawing, forces and momentum balance, volume is kept; a resumed run is the same bit for bit, two
-ranks compute the same; in the plane; ground that is not there is refused.
+its weight is that of the drawing, in space and in the plane, forces and momentum balance, volume is kept; a resumed run is
+the same bit for bit; ground that is not there is refused.
 
 Usage: on_ground.py LAHAR MPIEXEC
 """
@@ -61,18 +61,6 @@ set Gravity           = 0, 0, -9.81
                                                      "set Yield stress = 200")}) + \
     parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")})
 
-TIGHT = """
-subsection Nonlinear solver
-  set Tolerance = 1e-9
-  set Maximum iterations = 50
-end
-subsection Linear solver
-  subsection Iterative
-    set Tolerance = 1e-12
-  end
-end
-"""
-
 
 def run(directory, *arguments, n_ranks=1):
     command, environment = on_ranks([LAHAR, *arguments, "case.prm"], MPIEXEC, n_ranks)
@@ -102,7 +90,8 @@ def test_flow(parent):
     check("volume change by remeshing", np.abs(s["Volume change by remeshing"]).max() < 0.02,
           s["Volume change by remeshing"][-1])
 
-    # Momentum, within the largest impulse of a step.
+    # Momentum, within the largest impulses of two steps, as fluid lands (doc/forces.md).
+    lacks, impulses = [], []
     dt = s["Time step size (s)"].copy()
     dt[0] *= 0.5
     mass = 1800. * s["Fluid volume (m^dim)"]
@@ -110,10 +99,11 @@ def test_flow(parent):
         momentum = s[f"Momentum {axis} (N s)"]
         on_walls = s[f"ground force {axis} (N)"] + s[f"barrier fluid force {axis} (N)"]
         rate = mass * gravity - on_walls
-        lacks = (momentum - momentum[0]) - (np.cumsum(rate * dt) - rate[0] * dt[0]) - (
-            s[f"Momentum change by remeshing {axis} (N s)"] - s[f"Momentum change by remeshing {axis} (N s)"][0])
-        check(f"balance of momentum along {axis}", np.abs(lacks).max() < 2. * np.abs(rate * dt).max(),
-              np.abs(lacks).max(), np.abs(rate * dt).max(), np.abs(momentum).max())
+        taken = s[f"Momentum change by remeshing {axis} (N s)"]
+        lacks.append((momentum - momentum[0]) - (np.cumsum(rate * dt) - rate[0] * dt[0]) - (taken - taken[0]))
+        impulses.append(rate * dt)
+    lacks, impulses = (np.linalg.norm(vectors, axis=0) for vectors in (lacks, impulses))
+    check("balance of momentum", lacks.max() < 2. * impulses.max(), lacks.max(), impulses.max())
 
     parts_of = case(parent, "parts", CASE)
     check("the first part succeeds", run(parts_of, "--set", "End time=0.1").returncode == 0)
@@ -121,20 +111,6 @@ def test_flow(parent):
     resumed = statistics(parts_of)
     check("the resumed run is the same bit for bit",
           all(np.array_equal(s[name], resumed[name]) for name in s if name != "Wall time (s)"))
-
-
-def test_ranks(parent):
-    columns = ("Fluid volume (m^dim)", "Kinetic energy (J)", "barrier support force z (N)", "Momentum x (N s)")
-    runs = {}
-    for n_ranks in (1, 2):
-        directory = case(parent, f"ranks_{n_ranks}", CASE + TIGHT)
-        process = run(directory, "--set", "End time=0.05", n_ranks=n_ranks)
-        check(f"{n_ranks} ranks: the run succeeds", process.returncode == 0, process.stdout[-500:], process.stderr)
-        runs[n_ranks] = statistics(directory)
-    for name in columns:
-        largest = np.abs(runs[1][name]).max()
-        check(f"two ranks: {name}", np.abs(runs[1][name] - runs[2][name]).max() < 1e-8 * largest,
-              np.abs(runs[1][name] - runs[2][name]).max() / largest)
 
 
 def test_weight(parent):
@@ -175,5 +151,4 @@ with tempfile.TemporaryDirectory() as parent_directory:
     test_refused(parent_directory)
     test_weight(parent_directory)
     test_flow(parent_directory)
-    test_ranks(parent_directory)
 sys.exit(1 if failed else 0)
