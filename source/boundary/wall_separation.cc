@@ -29,7 +29,8 @@ namespace Lahar
     template <int dim>
     bool is_of_wall(const int facet, const Walls<dim> &walls)
     {
-      return facet != ParticleCloud<dim>::no_facet && static_cast<unsigned int>(facet) < walls.facets().size();
+      return facet != ParticleCloud<dim>::no_facet &&
+             static_cast<unsigned int>(facet) < walls.facets().size();
     }
 
     double area_of(const std::array<Point<2>, 2> &corners)

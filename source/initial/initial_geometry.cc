@@ -245,7 +245,7 @@ namespace Lahar
           cloud.velocity.back() = fluids[fluid_of[seeds.part[i]]].initial_velocity(p);
         }
       }
-    cloud.next_number = n;
+    cloud.next_number                    = n;
     std::vector<WallFacet<dim>> surfaces = solids.wall_facets_that_land(true);
     surfaces.insert(surfaces.end(), walls.facets().begin(), walls.facets().end());
     mark_interfaces(Walls<dim>(surfaces), cloud);

@@ -125,7 +125,7 @@ namespace Lahar
       for (unsigned int J = 0; J < n_corners; ++J)
       {
         const NodeConstraint<dim> &constraint_J = constraints[LocalNode(nodes[J])];
-        const Tensor<2, dim> block = weights[I] * weights[J] *
+        const Tensor<2, dim> block              = weights[I] * weights[J] *
                                      (frame_I * by_velocity * transpose(frame(constraint_J)));
         for (unsigned int a = constraints[node].n_fixed; a < dim; ++a)
         {
@@ -133,7 +133,8 @@ namespace Lahar
             velocity_diagonals[node][a] += block[a][a];
           if (!own)
             continue;
-          double *K = block_values[0][0] + dim * dim * static_cast<std::size_t>(all_graph.row_start[node.value()]) +
+          double *K = block_values[0][0] +
+                      dim * dim * static_cast<std::size_t>(all_graph.row_start[node.value()]) +
                       dim * (a * all_graph.degree(node.value()) + places[I * n_corners + J]);
           for (unsigned int b = constraint_J.n_fixed; b < dim; ++b)
             K[b] += block[a][b];

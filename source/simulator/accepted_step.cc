@@ -44,7 +44,8 @@ namespace Lahar
     stop_at_walls(old_position, contact_step, region.particles);
     const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
     account.counters.kept_out += count_on_ranks(
-      SolidContour<dim>(contour.facets_that_land(false), region.particles).keep_out(old_position, region.particles));
+      SolidContour<dim>(contour.facets_that_land(false), region.particles)
+        .keep_out(old_position, region.particles));
     WallContact<dim>(contact_step, input.geometry.tensile_strengths()).update(old_position, region.particles);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(region.mesh, volumes, region.particles);

@@ -120,7 +120,8 @@ namespace Lahar
       {
         wall_step.emplace(input.geometry.wall_step(walls, time, time_step));
         // Where the slick solids will be at the end is not known yet.
-        const WallStep<dim> contact_step = with_slick_solids(*wall_step, region.particles.position, time_step);
+        const WallStep<dim> contact_step = with_slick_solids(*wall_step, region.particles.position,
+                                                             time_step);
         inlets.start_step(region.particles, region.mesh, communicator(), time, time_step);
         problem.start_step(
           {region.mesh, region.particles, solids, migration, materials, input.gravity, time, time_step,
@@ -185,8 +186,8 @@ namespace Lahar
       region.multipliers.spread(region.mesh, materials.n_fluids(), region.particles, migration);
     try
     {
-      region.remeshing = remesher.remesh(region.particles, obstacles(contour), contour.facets_that_land(false),
-                                         time_step, region.mesh, migration);
+      region.remeshing = remesher.remesh(region.particles, obstacles(contour),
+                                         contour.facets_that_land(false), time_step, region.mesh, migration);
     }
     catch (const RunError &error)
     {

@@ -36,9 +36,9 @@ void test_contact()
   // A frame turned in the first two components with its first row prescribed; a solid's node that is clamped.
   IndexVector<LocalNode, NodeConstraint<dim>> constraints(2 * n);
   Tensor<2, dim> &frame = constraints[LocalNode(n - 1)].frame;
-  frame[0][0] = frame[1][1]  = 0.6;
-  frame[0][1]                = 0.8;
-  frame[1][0]                = -0.8;
+  frame[0][0] = frame[1][1]             = 0.6;
+  frame[0][1]                           = 0.8;
+  frame[1][0]                           = -0.8;
   constraints[LocalNode(n - 1)].n_fixed = 1;
   constraints[LocalNode(n)].n_fixed     = dim;
   system.set_constraints(constraints);
