@@ -264,7 +264,7 @@ def full(parent):
 def lacks_memory(parent):
     """A factorisation without memory, of which no shorter step needs less, ends the run."""
     directory = new_case(parent, "lacks-memory", CASE.replace("0.02", "0.006"))
-    attempt = start(directory, 1)
+    attempt = start(directory, 1, "--set", "Output interval=1")  # zlib has no message of its own for a lack of memory
     wait_for(attempt, lambda: n_rows(directory) >= 1)
     with open("/proc/%d/statm" % attempt.pids()[0]) as file:
         used = int(file.read().split()[0]) * resource.getpagesize()
