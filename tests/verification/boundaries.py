@@ -77,10 +77,11 @@ def check_slab(check):
         check.below(f"slab, {law}: volume change by the solver", solver, 1e-7)
         check.below(f"slab, {law}: volume change by remeshing", remeshing, 1e-5)
         momentum = statistics["Momentum x (N s)"]
-        force = statistics["slab mean fluid force x (N)"]
+        force = statistics["slab fluid force x (N)"]
         balance = np.diff(momentum) / statistics["Time step size (s)"][1:] - MASS * ALONG + force[1:]
-        check.below(f"slab, {law}: balance of momentum, over the weight", np.abs(balance).max() / (MASS * ACROSS), 1e-3)
-        return time, momentum / MASS, force, statistics["slab mean fluid force y (N)"]
+        # The first step counts half.
+        check.below(f"slab, {law}: balance of momentum, over the weight", np.abs(balance[1:]).max() / (MASS * ACROSS), 1e-3)
+        return time, momentum / MASS, force, statistics["slab fluid force y (N)"]
 
     settled = slice(20, None)
     time, v, force, weight = velocity("free slip")
