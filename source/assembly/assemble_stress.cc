@@ -6,8 +6,6 @@ namespace Lahar
 {
   namespace
   {
-    constexpr unsigned int radial = 0;
-
     /// What the hoop of a ring adds: R_Ir += V η τ_θθ, where out-of-plane components are less the trace of the others, and
     /// in the Jacobian all that has η. @param traction τ G_I, A G_I and B G_I.
     void assemble_hoop_stress(const FluidCell<2> &cell, const StressTangent<2> &tangent,

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/assembly/exact_plastic_stress.h>
+#include <lahar/assembly/stiffening.h>
 
 namespace Lahar
 {
-  namespace
-  {
-    // As in ViscousStress: part of the secant stiffness is left where Λ and X do not agree yet.
-    constexpr double largest_stiffening = 0.3;
-    constexpr double stiffening_rate    = 3.;
-  } // namespace
-
-
-
   template <int dim>
   SymmetricTensor<2, dim>
   ExactPlasticStress<dim>::rank_one_part(const FluidCell<dim> &cell, const SymmetricTensor<2, dim> &rate,

@@ -26,8 +26,6 @@ namespace Lahar
       return areas;
     }
 
-    constexpr unsigned int radial = 0;
-
     /// Add the derivative of R_I = factor Σ_J ∫ N_I N_J x_J over a ring with respect to the radii.
     template <int dim>
     void assemble_mass_by_radius(const FluidCell<dim> &cell, const double factor,

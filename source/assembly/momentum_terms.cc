@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/assembly/stiffening.h>
 #include <lahar/assembly/terms.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace Lahar
 {
   namespace
   {
-    constexpr unsigned int radial = 0;
   }
 
 
@@ -80,12 +80,6 @@ namespace Lahar
 
   namespace
   {
-    // Along d' the primal-dual Jacobian of a yielding cell almost vanishes. Where Λ and the strain rate do not agree yet,
-    // so that this says little about the solution, part of the secant stiffness is left in it: in the cell, since a
-    // thread of a few cells that yields in tension cannot be seen in any norm over all cells.
-    constexpr double largest_stiffening = 0.3;
-    constexpr double stiffening_rate    = 3.;
-
     template <int dim>
     StressTangent<dim> viscous_tangent(const FluidCell<dim> &cell, const double viscosity,
                                        const ViscosityLinearization linearization,

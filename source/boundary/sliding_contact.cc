@@ -12,16 +12,16 @@ namespace Lahar
   namespace
   {
     /// A face belongs to a facet if the cosine of the angle between their normals exceeds this.
-    constexpr double least_cosine = 0.7;
+    constexpr double least_facet_cosine = 0.7;
 
     /// What touches another boundary belongs to a face if it is nearer to its facet than this times its spacing.
-    constexpr double contact_distance = 0.1;
+    constexpr double touching_distance = 0.1;
 
     /// How far e comes in an iteration.
     constexpr double excess_part = 0.5;
 
     /// What is nearer to one than this is one.
-    constexpr double rounding = 1e-10;
+    constexpr double unit_rounding = 1e-10;
 
     /// Area times normal of a face, from its corners.
     Tensor<1, 2> area_vector(const std::vector<Point<2>> &corners)
@@ -87,7 +87,7 @@ namespace Lahar
                                     SlidingState<dim> &state) const
   {
     const Tensor<1, dim> P = force(velocity, pressure, state).multiplier;
-    const bool slides      = P.norm() >= 1. - rounding;
+    const bool slides      = P.norm() >= 1. - unit_rounding;
     state.held             = slides && P * state.direction < 0.;
     state.direction        = slides && !state.held ? P : Tensor<1, dim>();
     if (follows)
@@ -111,7 +111,7 @@ namespace Lahar
                               const Tensor<1, dim> &direction) {
       for (const int facet : cloud.contact_facets[particle])
         if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].boundary == boundary &&
-            std::abs(walls.normal(facet) * direction) > least_cosine)
+            std::abs(walls.normal(facet) * direction) > least_facet_cosine)
           return facet;
       return ParticleCloud<dim>::no_facet;
     };
@@ -156,7 +156,7 @@ namespace Lahar
                       (facets[k] != ParticleCloud<dim>::no_facet ||
                        ((cloud.kind[i] != ParticleKind::fluid || cloud.in_contact(i)) &&
                         std::abs(walls.signed_distance(some_facet, step.carried(boundary, corners[k]))) <
-                          contact_distance * cloud.spacing[i]));
+                          touching_distance * cloud.spacing[i]));
         }
         if (!all_touch)
           continue;

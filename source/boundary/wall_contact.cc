@@ -16,7 +16,7 @@ namespace Lahar
     constexpr double parallel_tolerance = 1e-3;
 
     /// Parts of the walls' speeds that are none.
-    constexpr double rounding = 1e-6;
+    constexpr double speed_rounding = 1e-6;
   } // namespace
 
 
@@ -274,7 +274,7 @@ namespace Lahar
         if (facet != ParticleCloud<dim>::no_facet && walls.facets()[facet].boundary != boundary)
         {
           const Tensor<1, dim> u = step.velocity(walls.facets()[facet].boundary, cloud.position[particle]);
-          if (std::abs(walls.normal(facet) * v - speed(facet)) > rounding * (v.norm() + u.norm()))
+          if (std::abs(walls.normal(facet) * v - speed(facet)) > speed_rounding * (v.norm() + u.norm()))
             return sliding(particle, cloud, speed, false);
         }
     }

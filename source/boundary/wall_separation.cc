@@ -23,7 +23,7 @@ namespace Lahar
     constexpr double on_plane = 0.1;
 
     /// Pull below this part of the largest normal force is rounding.
-    constexpr double rounding = 1e-6;
+    constexpr double pull_rounding = 1e-6;
 
     /// Whether an entry of ParticleCloud::contact_facets is a facet of a wall; those behind them are of solids.
     template <int dim>
@@ -158,7 +158,7 @@ namespace Lahar
       const double borne = (area == areas.end() ? 0. : area->second) *
                            *strengths[walls.facets()[pull.facet].boundary];
       auto &slots = cloud.contact_facets[pull.particle];
-      if (!(pull.force > borne + rounding * largest))
+      if (!(pull.force > borne + pull_rounding * largest))
         continue;
       std::replace(slots.begin(), slots.end(), static_cast<int>(pull.facet), ParticleCloud<dim>::no_facet);
       std::sort(slots.begin(), slots.end(), std::greater<int>());

@@ -186,6 +186,8 @@ namespace Lahar
 
 
 
-  static const Factory<SolidShape<2>>::Registration<BoxSolid<2>> box_2d("box", "A rectangle of triangles.");
-  static const Factory<SolidShape<3>>::Registration<BoxSolid<3>> box_3d("box", "A cuboid of tetrahedra.");
+  static const Factory<SolidShape<2>>::Registration<BoxSolid<2>> box_solid_2d("box",
+                                                                              "A rectangle of triangles.");
+  static const Factory<SolidShape<3>>::Registration<BoxSolid<3>> box_solid_3d("box",
+                                                                              "A cuboid of tetrahedra.");
 } // namespace Lahar

@@ -17,7 +17,7 @@ namespace Lahar
     const double lattice_constant = 14. / (8. * std::sqrt(0.75) + 6.);
 
     /// Lattice points stay away from the contour by this times h.
-    constexpr double clearance = 0.6;
+    constexpr double contour_clearance = 0.6;
 
     constexpr unsigned int n_sweeps = 5;
 
@@ -77,7 +77,7 @@ namespace Lahar
               for (unsigned int k = first[2] + (first[2] + i) % 2; k <= last[2]; k += 2)
               {
                 const Point<3> p = point({{i, j, k}});
-                if (is_wanted(p) && body.signed_distance(p) < -clearance * h)
+                if (is_wanted(p) && body.signed_distance(p) < -contour_clearance * h)
                   places.push_back({{i, j, k}});
               }
           return;

@@ -24,7 +24,7 @@ namespace Lahar
     constexpr double most_cells = 2.5e7;
 
     /// Shares of cells below this are rounding.
-    constexpr double rounding = 1e-6;
+    constexpr double share_rounding = 1e-6;
 
     /// GDAL's own messages stay away from the user's screen.
     struct QuietErrors
@@ -127,7 +127,7 @@ namespace Lahar
     {
       const double lower = (window->lower[d] - first[d]) / size[d],
                    upper = (window->upper[d] - first[d]) / size[d];
-      if (!(lower > -rounding && upper < n_all[d] - 1. + rounding))
+      if (!(lower > -share_rounding && upper < n_all[d] - 1. + share_rounding))
       {
         std::ostringstream found;
         found.precision(12);
@@ -138,8 +138,8 @@ namespace Lahar
               << window->upper[1] << " m";
         fail(file_name, found.str(), "a window within the grid");
       }
-      begin[d] = std::max(0., std::floor(lower + rounding));
-      n[d]     = std::min(n_all[d] - 1., std::ceil(upper - rounding)) - begin[d] + 1.;
+      begin[d] = std::max(0., std::floor(lower + share_rounding));
+      n[d]     = std::min(n_all[d] - 1., std::ceil(upper - share_rounding)) - begin[d] + 1.;
     }
     if (double(n[0]) * n[1] > most_cells)
       fail(file_name, "has " + std::to_string(n[0]) + " x " + std::to_string(n[1]) + " cells",
@@ -196,7 +196,7 @@ namespace Lahar
       const double place = (point[d] - first[d]) / size[d];
       corner[d]          = std::clamp(std::floor(place), 0., std::max(0., n[d] - 2.));
       share[d]           = std::clamp(place - corner[d], 0., 1.);
-      if (share[d] < rounding || share[d] > 1. - rounding)
+      if (share[d] < share_rounding || share[d] > 1. - share_rounding)
         share[d] = std::round(share[d]);
     }
     double sum = 0.;

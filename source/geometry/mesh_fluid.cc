@@ -85,6 +85,8 @@ namespace Lahar
 
 
 
-  static const Factory<FluidShape<2>>::Registration<MeshFluid<2>> mesh_2d("mesh", "Surfaces of a gmsh file.");
-  static const Factory<FluidShape<3>>::Registration<MeshFluid<3>> mesh_3d("mesh", "Volumes of a gmsh file.");
+  static const Factory<FluidShape<2>>::Registration<MeshFluid<2>> mesh_fluid_2d("mesh",
+                                                                                "Surfaces of a gmsh file.");
+  static const Factory<FluidShape<3>>::Registration<MeshFluid<3>> mesh_fluid_3d("mesh",
+                                                                                "Volumes of a gmsh file.");
 } // namespace Lahar

@@ -80,7 +80,8 @@ namespace Lahar
 
 
 
-  static const Factory<SolidShape<2>>::Registration<MeshSolid<2>> mesh_2d("mesh",
-                                                                          "A surface of a gmsh file.");
-  static const Factory<SolidShape<3>>::Registration<MeshSolid<3>> mesh_3d("mesh", "A volume of a gmsh file.");
+  static const Factory<SolidShape<2>>::Registration<MeshSolid<2>> mesh_solid_2d("mesh",
+                                                                                "A surface of a gmsh file.");
+  static const Factory<SolidShape<3>>::Registration<MeshSolid<3>> mesh_solid_3d("mesh",
+                                                                                "A volume of a gmsh file.");
 } // namespace Lahar

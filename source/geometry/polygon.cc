@@ -36,7 +36,7 @@ namespace Lahar
     }
 
     /// What is left of the contour when the points of a lattice are looked for, over h.
-    constexpr double clearance = 0.55;
+    constexpr double grid_clearance = 0.55;
 
     /// A lattice of equilateral triangles in the box around a contour.
     class ContourLattice
@@ -102,7 +102,7 @@ namespace Lahar
         {
           for (unsigned int row = begin[0]; row < end[0]; ++row)
             for (unsigned int i = begin[1]; i < end[1] && i < x[row % 2].size(); ++i)
-              if (const Point<2> p = point({{row, i}}); is_wanted(p) && depth(p) > clearance * h)
+              if (const Point<2> p = point({{row, i}}); is_wanted(p) && depth(p) > grid_clearance * h)
                 places.push_back({{row, i}});
           return;
         }

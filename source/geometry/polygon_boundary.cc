@@ -49,6 +49,6 @@ namespace Lahar
 
 
 
-  static const Factory<BoundaryShape<3>>::Registration<PolygonBoundary> polygon("polygon",
-                                                                                "Convex plane polygons.");
+  static const Factory<BoundaryShape<3>>::Registration<PolygonBoundary>
+    polygon_boundary("polygon", "Convex plane polygons.");
 } // namespace Lahar

@@ -50,6 +50,6 @@ namespace Lahar
 
 
 
-  static const Factory<FluidShape<2>>::Registration<PolygonFluid> polygon("polygon",
-                                                                          "Polygons by their corners.");
+  static const Factory<FluidShape<2>>::Registration<PolygonFluid> polygon_fluid("polygon",
+                                                                                "Polygons by their corners.");
 } // namespace Lahar

@@ -41,5 +41,5 @@ namespace Lahar
 
 
   static const Factory<BoundaryShape<2>>::Registration<ProfileBoundary>
-    terrain("terrain", "The ground of a profile, y over x.");
+    profile_terrain("terrain", "The ground of a profile, y over x.");
 } // namespace Lahar

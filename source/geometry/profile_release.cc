@@ -177,5 +177,5 @@ namespace Lahar
 
 
   static const Factory<FluidShape<2>>::Registration<ProfileRelease>
-    release("release", "Fluid on a boundary of the shape 'terrain': by its depth or up to a level.");
+    profile_release("release", "Fluid on a boundary of the shape 'terrain': by its depth or up to a level.");
 } // namespace Lahar

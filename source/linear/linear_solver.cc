@@ -14,7 +14,7 @@ namespace Lahar
     constexpr unsigned int most_sweeps = 60;
 
     /// The same for sweeps with the blocks of an earlier system.
-    constexpr double slack                     = 1.5;
+    constexpr double reused_sweeps_slack       = 1.5;
     constexpr unsigned int most_earlier_sweeps = 6;
   } // namespace
 
@@ -64,7 +64,8 @@ namespace Lahar
       blocks_pattern = system.pattern_number();
 
       const GmresTargets targets  = fresh ? GmresTargets{most_sweeps, sweep_tolerance}
-                                          : GmresTargets{most_earlier_sweeps, sweep_tolerance, slack};
+                                          : GmresTargets{most_earlier_sweeps, sweep_tolerance,
+                                                        reused_sweeps_slack};
       const unsigned int n_sweeps = solve_by_scaled_gmres<dim>(
         system,
         [&](const Vector &x, Vector &y) {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/material/cross.h>
+#include <lahar/material/rate_powers.h>
 #include <lahar/utilities/factory.h>
 
 #include <cmath>
 
 namespace Lahar
 {
-  namespace
-  {
-    /// Below it the fluid is at rest: powers of the strain rate stay finite.
-    constexpr double no_rate = 1e-100;
-
-    constexpr double smallest_exponent = 0.1, largest_exponent = 10.;
-  } // namespace
-
-
-
   void Cross::declare_parameters(Parameters &prm)
   {
     declare_common_parameters(prm);

@@ -53,7 +53,7 @@ namespace Lahar
 
 
   static const Factory<Postprocessor<2>>::Registration<SolidEnergies<2>>
-    energies_2d("Solid energies", "Kinetic, potential and elastic energy of all solids.");
+    solid_energies_2d("Solid energies", "Kinetic, potential and elastic energy of all solids.");
   static const Factory<Postprocessor<3>>::Registration<SolidEnergies<3>>
-    energies_3d("Solid energies", "Kinetic, potential and elastic energy of all solids.");
+    solid_energies_3d("Solid energies", "Kinetic, potential and elastic energy of all solids.");
 } // namespace Lahar

@@ -46,7 +46,7 @@ namespace Lahar
 
 
   static const Factory<Postprocessor<2>>::Registration<SolidForces<2>>
-    forces_2d("Solid forces", "Forces of the fluid and of the support on each solid.");
+    solid_forces_2d("Solid forces", "Forces of the fluid and of the support on each solid.");
   static const Factory<Postprocessor<3>>::Registration<SolidForces<3>>
-    forces_3d("Solid forces", "Forces of the fluid and of the support on each solid.");
+    solid_forces_3d("Solid forces", "Forces of the fluid and of the support on each solid.");
 } // namespace Lahar

@@ -12,7 +12,7 @@ namespace Lahar
   namespace
   {
     /// No particle moves by more than this times its spacing.
-    constexpr double longest_shift = 0.1;
+    constexpr double longest_surface_shift = 0.1;
 
     /// Cells keep this part of their volume.
     constexpr double smallest_part = 0.5;
@@ -308,7 +308,7 @@ namespace Lahar
       if (is_movable(i) && std::abs(change[i]) > smallest_change * size[i] &&
           !(in_contact[i] && free_area[i] > 0.))
       {
-        const double limit         = longest_shift * cloud.spacing[i];
+        const double limit         = longest_surface_shift * cloud.spacing[i];
         const double distance      = -change[i] / (free_area[i] > 0. ? free_area[i] : whole_area[i]);
         const Tensor<1, dim> shift = std::max(-limit, std::min(limit, distance)) / area[i].norm() * area[i];
         if (walls.crossed(cloud.position[i], cloud.position[i] + shift, 0., 0.).empty())

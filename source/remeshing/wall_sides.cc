@@ -15,13 +15,13 @@ namespace Lahar
   namespace
   {
     /// A particle nearer to a facet's plane than this times its spacing lies on it, on no side.
-    constexpr double on_facet = 0.1 * contact_offset;
+    constexpr double on_plane = 0.1 * contact_offset;
 
     /// Facets meet where they are nearer than this times their size.
     constexpr double joint_tolerance = 1e-9;
 
     /// The rim of a facet counts this times the spacing wider.
-    constexpr double wall_rim = 1e-3;
+    constexpr double facet_rim = 1e-3;
   } // namespace
 
 
@@ -135,10 +135,10 @@ namespace Lahar
         const bool on_joint = std::any_of(near.begin(), near.end(), [&](const unsigned int g) {
           return g != f && sheets[g] == sheets[f] &&
                  nearest_point<3>(walls.facets()[g].corners, place).distance(place) <
-                   wall_rim * cloud.spacing[i];
+                   facet_rim * cloud.spacing[i];
         });
-        const bool has_side = std::abs(height) > on_facet * cloud.spacing[i] &&
-                              (on_joint || walls.is_above(f, position, wall_rim * cloud.spacing[i]));
+        const bool has_side = std::abs(height) > on_plane * cloud.spacing[i] &&
+                              (on_joint || walls.is_above(f, position, facet_rim * cloud.spacing[i]));
         all_sides[i][sheets[f]] = !has_side ? 0 : height > 0. ? directions[f] : -directions[f];
       }
     }

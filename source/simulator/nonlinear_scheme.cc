@@ -20,7 +20,7 @@ namespace Lahar
 
     /// A full step overshoots if the work along the increment at its end exceeds this part of that at its start.
     constexpr double overshoot           = 0.1;
-    constexpr double shortest_step       = 0.2;
+    constexpr double shortest_search     = 0.2;
     constexpr unsigned int n_trial_steps = 3;
 
     /// Where multipliers that are updated in every iteration go to and fro, they wait after this number of iterations until
@@ -220,7 +220,7 @@ namespace Lahar
     linearization.plastic_weight = overshoot_weight;
     for (unsigned int trial = 0; trial < n_trial_steps && overshoots(); ++trial)
     {
-      length *= std::max(shortest_step, start / (start - end));
+      length *= std::max(shortest_search, start / (start - end));
       problem.take_step(length);
       problem.assemble(linearization);
       end = problem.work_along_increment();

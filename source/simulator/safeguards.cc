@@ -12,7 +12,7 @@ namespace Lahar
   namespace
   {
     /// Increments that would invert simplices even at this part of their length are not taken.
-    constexpr double shortest_step = 1e-3;
+    constexpr double shortest_increment = 1e-3;
 
     /// By this part of the expected velocity vertices of flattened simplices become slower at a time.
     constexpr double slowing = 0.25;
@@ -149,7 +149,7 @@ namespace Lahar
         if (double &own_length = lengths[numbering->node(v)]; own_length > 0.)
         {
           any_shorter = true;
-          own_length  = (own_length > shortest_step * length ? 0.5 * own_length : 0.);
+          own_length  = (own_length > shortest_increment * length ? 0.5 * own_length : 0.);
         }
       any_shorter = !true_on_all_ranks(!any_shorter, system->partition().communicator());
       if (any_shorter)

@@ -11,7 +11,7 @@ namespace Lahar
   {
     /// Fluid stands also below this part of what gravity makes in a step: forces of this size come from the projection that
     /// follows the pressure, and would go on for ever.
-    constexpr double negligible_acceleration = 1e-4;
+    constexpr double standing_acceleration = 1e-4;
   } // namespace
 
 
@@ -43,8 +43,7 @@ namespace Lahar
       speed[numbering.node(v)] = std::max(state.old_velocity[v.value()].norm(),
                                           state.mean_velocity[v.value()].norm());
     spread_largest(parts, system.partition(), speed);
-    const double slowest = standing_velocity +
-                           negligible_acceleration * state.gravity.norm() * state.time_step;
+    const double slowest = standing_velocity + standing_acceleration * state.gravity.norm() * state.time_step;
     std::vector<bool> stands(mesh->n_vertices(), true); // all of its cells do
     for (unsigned int c = 0; c < mesh->n_cells(); ++c)
     {

@@ -37,14 +37,14 @@ namespace Lahar
 
 
 
-    void *open(const std::string &file_name)
+    void *open_library(const std::string &file_name)
     {
       // The loader is declared to throw nothing, and passes on what a library's constructors throw. A compiler that saw
       // which function it is would leave out what catches that.
-      void *(*const volatile open_library)(const char *, int) = dlopen;
+      void *(*const volatile open)(const char *, int) = dlopen;
       try
       {
-        return open_library(file_name.c_str(), RTLD_NOW | RTLD_LOCAL);
+        return open(file_name.c_str(), RTLD_NOW | RTLD_LOCAL);
       }
       catch (...)
       {
@@ -60,7 +60,7 @@ namespace Lahar
         fail(file_name, "shared libraries that exist");
       const std::string build = LAHAR_BUILD, rule = "plugins built for this program, " + build,
                         whole = std::filesystem::absolute(file_name).string(); // not searched for
-      void *library           = open(whole);
+      void *library           = open_library(whole);
       if (library == nullptr)
         fail(file_name, rule + " (" + linker_message(whole) + ")");
       // lahar_add_plugin() of LaharConfig.cmake defines it.

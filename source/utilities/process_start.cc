@@ -56,11 +56,11 @@ namespace Lahar
 
     void open_standard_streams()
     {
-      for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0;
-           descriptor     = open("/dev/null", O_RDWR))
+      for (int descriptor = ::open("/dev/null", O_RDWR); descriptor >= 0;
+           descriptor     = ::open("/dev/null", O_RDWR))
         if (descriptor > STDERR_FILENO)
         {
-              close(descriptor);
+              ::close(descriptor);
               return;
         }
     }

@@ -14,7 +14,7 @@ namespace Lahar
   namespace
   {
     /// How long the other ranks have to arrive.
-    constexpr std::chrono::seconds patience(5);
+    constexpr std::chrono::seconds rank_patience(5);
   } // namespace
 
 
@@ -86,7 +86,7 @@ namespace Lahar
     MPI_Ibarrier(communicator, &request);
     const auto start = std::chrono::steady_clock::now();
     int all_are_here = 0;
-    while (all_are_here == 0 && std::chrono::steady_clock::now() - start < patience)
+    while (all_are_here == 0 && std::chrono::steady_clock::now() - start < rank_patience)
     {
       MPI_Test(&request, &all_are_here, MPI_STATUS_IGNORE);
       if (all_are_here == 0)

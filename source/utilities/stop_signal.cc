@@ -9,9 +9,9 @@ namespace Lahar
 {
   namespace
   {
-    constexpr std::pair<int, const char *> names[] = {{SIGINT, "SIGINT"},   {SIGTERM, "SIGTERM"},
-                                                      {SIGHUP, "SIGHUP"},   {SIGUSR1, "SIGUSR1"},
-                                                      {SIGUSR2, "SIGUSR2"}, {SIGXCPU, "SIGXCPU"}};
+    constexpr std::pair<int, const char *> signal_names[] = {{SIGINT, "SIGINT"},   {SIGTERM, "SIGTERM"},
+                                                             {SIGHUP, "SIGHUP"},   {SIGUSR1, "SIGUSR1"},
+                                                             {SIGUSR2, "SIGUSR2"}, {SIGXCPU, "SIGXCPU"}};
 
     // A signal handler can reach nothing else.
     volatile std::sig_atomic_t last_signal = 0;
@@ -32,7 +32,7 @@ namespace Lahar
   void StopSignal::catch_all()
   {
     last_signal = 0;
-    for (const auto &[signal, name] : names)
+    for (const auto &[signal, name] : signal_names)
       if (std::signal(signal, handle) == SIG_IGN && signal == SIGHUP)
         std::signal(signal, SIG_IGN);
   }
@@ -48,7 +48,7 @@ namespace Lahar
 
   std::string StopSignal::name(const int signal)
   {
-    for (const auto &[number, name] : names)
+    for (const auto &[number, name] : signal_names)
       if (number == signal)
         return name;
     return "";

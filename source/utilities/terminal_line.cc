@@ -14,7 +14,7 @@ namespace Lahar
 {
   namespace
   {
-    constexpr std::chrono::milliseconds pause(100);
+    constexpr std::chrono::milliseconds redraw_pause(100);
     constexpr char erase[] = "\r\033[K";
 
     /// Columns of the terminal that the standard output is; 0 if it is none, or of unknown width.
@@ -93,7 +93,7 @@ namespace Lahar
   {
     pieces         = std::move(new_pieces);
     const auto now = std::chrono::steady_clock::now();
-    if (!is_there || now - last_drawn < pause)
+    if (!is_there || now - last_drawn < redraw_pause)
       return;
     last_drawn = now;
     draw();

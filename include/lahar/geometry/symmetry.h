@@ -43,6 +43,9 @@ namespace Lahar
     inline static bool rotational = false;
   };
 
+  /// The component of positions and velocities along r.
+  constexpr unsigned int radial = 0;
+
   /// Volume with sign that a simplex stands for: with rotational symmetry its ring's, 2π |r̄| A, r̄ at the centroid.
   template <int dim>
   inline double body_volume(const SimplexCorners<dim> &x)

@@ -52,6 +52,9 @@ namespace Lahar
     /// The wall in space as triangles.
     std::vector<std::array<Point<3>, 3>> triangles() const;
   };
+
+  template <>
+  std::vector<WallFacet<3>> WallShape<3>::facets() const;
 } // namespace Lahar
 
 #endif
