@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/sliding_contact.h>
+#include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/symmetry.h>
 
 #include <algorithm>
@@ -22,17 +23,6 @@ namespace Lahar
 
     /// What is nearer to one than this is one.
     constexpr double unit_rounding = 1e-10;
-
-    /// Area times normal of a face, from its corners.
-    Tensor<1, 2> area_vector(const std::vector<Point<2>> &corners)
-    {
-      return cross_product_2d(corners[1] - corners[0]);
-    }
-
-    Tensor<1, 3> area_vector(const std::vector<Point<3>> &corners)
-    {
-      return 0.5 * cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
-    }
   } // namespace
 
 
@@ -120,15 +110,15 @@ namespace Lahar
     for (const BoundaryFace &face : mesh.boundary_faces())
     {
       std::vector<unsigned int> vertices;
-      std::vector<Point<dim>> corners;
+      std::array<Point<dim>, dim> corners;
       for (unsigned int c = 0; c <= dim; ++c)
         if (c != face.opposite)
         {
           vertices.push_back(mesh.cells()[face.cell][c]);
-          corners.push_back(cloud.position[mesh.particle(vertices.back())]);
+          corners[vertices.size() - 1] = cloud.position[mesh.particle(vertices.back())];
         }
       const Point<dim> inside = cloud.position[mesh.particle(mesh.cells()[face.cell][face.opposite])];
-      const Tensor<1, dim> area_normal = area_vector(corners);
+      const Tensor<1, dim> area_normal = area_vector<dim>(corners);
       const double area                = area_normal.norm();
       if (!(area > 0.))
         continue;

@@ -82,6 +82,23 @@ namespace Lahar
 
 
   template <int dim>
+  bool WallContact<dim>::comes_over_bulge(const std::array<int, dim> &slots, const unsigned int to,
+                                          const int side, const Point<dim> &position) const
+  {
+    if (step.deforms(to))
+      return false;
+    Point<dim> middle;
+    for (const Point<dim> &corner : walls.facets()[to].corners)
+      middle += corner / dim;
+    return std::any_of(slots.begin(), slots.end(), [&](const int from) {
+      return goes_on(from, to, -side, position) &&
+             side_of(from, position) * walls.signed_distance(from, middle) < 0.;
+    });
+  }
+
+
+
+  template <int dim>
   void WallContact<dim>::attach_near(const unsigned int particle, const double distance,
                                      const std::function<bool(const unsigned int, const int)> &meets,
                                      ParticleCloud<dim> &cloud) const
@@ -93,7 +110,9 @@ namespace Lahar
           walls.is_above(facet, position, 1e-3 * cloud.spacing[particle]) &&
           !walls.is_hidden(facet, position))
       {
-        const int side = side_of(facet, position);
+        int side = side_of(facet, position);
+        if (comes_over_bulge(slots, facet, side, position))
+          side = -side;
         if (separates(facet) && !meets(facet, side))
           continue;
         if (std::none_of(slots.begin(), slots.end(),
@@ -157,8 +176,14 @@ namespace Lahar
         if (!any)
           break;
         met.push_back(next);
-        const int side = side_at_start(next, old_position[i]);
-        // Along a smooth hollow it leaves the facet behind for the one that it comes to.
+        int side = side_at_start(next, old_position[i]);
+        if (comes_over_bulge(before, next, side, cloud.position[i]))
+          side = -side;
+        // Beyond a bulge the facets that it comes from are above it.
+        for (const int from : before)
+          if (goes_on(from, next, side, cloud.position[i]))
+            met.push_back(from);
+        // Along a smooth surface it leaves the facet behind for the one that it comes to.
         for (int &from : slots)
           if (goes_on(from, next, side, cloud.position[i]))
             from = ParticleCloud<dim>::no_facet;

@@ -2,10 +2,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
-
+#include <lahar/boundary/normal_parts.h>
 #include <lahar/boundary/wall_separation.h>
+#include <lahar/geometry/facet_geometry.h>
 #include <lahar/geometry/symmetry.h>
 
 #include <algorithm>
@@ -33,26 +32,6 @@ namespace Lahar
              static_cast<unsigned int>(facet) < walls.facets().size();
     }
 
-    double area_of(const std::array<Point<2>, 2> &corners)
-    {
-      return corners[0].distance(corners[1]);
-    }
-
-    double area_of(const std::array<Point<3>, 3> &corners)
-    {
-      return 0.5 * cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]).norm();
-    }
-
-    Tensor<1, 2> direction_of(const std::array<Point<2>, 2> &corners)
-    {
-      return cross_product_2d(corners[1] - corners[0]) / area_of(corners);
-    }
-
-    Tensor<1, 3> direction_of(const std::array<Point<3>, 3> &corners)
-    {
-      return cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]) / (2. * area_of(corners));
-    }
-
     /// By particle and facet that separates: A_f.
     template <int dim>
     std::map<std::pair<unsigned int, unsigned int>, double>
@@ -72,14 +51,15 @@ namespace Lahar
             corners[k]   = cloud.position[particles[k]];
             sum_of_radii += corners[k++][0];
           }
-        const double area = area_of(corners);
+        const Tensor<1, dim> area_normal = area_vector<dim>(corners);
+        const double area                = area_normal.norm();
         if (!(area > 0.))
           continue;
         for (unsigned int k = 0; k < dim; ++k)
           for (const int facet : cloud.contact_facets[particles[k]])
             if (is_of_wall(facet, walls) && strengths[walls.facets()[facet].boundary] &&
                 cloud.kind[particles[k]] == ParticleKind::fluid &&
-                std::abs(walls.normal(facet) * direction_of(corners)) > least_cosine &&
+                std::abs(walls.normal(facet) * area_normal) > least_cosine * area &&
                 std::all_of(particles.begin(), particles.end(), [&](const unsigned int i) {
                   return (cloud.kind[i] != ParticleKind::fluid || cloud.in_contact(i)) &&
                          std::abs(walls.signed_distance(facet, cloud.position[i])) <
@@ -95,22 +75,11 @@ namespace Lahar
     std::vector<double> normal_forces(const Walls<dim> &walls, const ParticleCloud<dim> &cloud,
                                       const unsigned int particle, const std::vector<unsigned int> &facets)
     {
-      const unsigned int n = facets.size();
       std::vector<Tensor<1, dim>> normals;
       for (const unsigned int facet : facets)
         normals.push_back((walls.signed_distance(facet, cloud.position[particle]) < 0. ? -1. : 1.) *
                           walls.normal(facet));
-      FullMatrix<double> products(n, n);
-      Vector<double> along(n), forces(n);
-      for (unsigned int k = 0; k < n; ++k)
-      {
-        along[k] = cloud.reaction[particle] * normals[k];
-        for (unsigned int l = 0; l < n; ++l)
-          products(k, l) = normals[k] * normals[l];
-      }
-      products.gauss_jordan();
-      products.vmult(forces, along);
-      return {forces.begin(), forces.end()};
+      return normal_parts(normals, cloud.reaction[particle]);
     }
   } // namespace
 

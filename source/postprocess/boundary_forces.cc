@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/lac/full_matrix.h>
-
+#include <lahar/boundary/normal_parts.h>
 #include <lahar/geometry/symmetry.h>
 #include <lahar/initial/axis.h>
 #include <lahar/postprocess/postprocessor.h>
@@ -56,22 +55,14 @@ namespace Lahar
       forces[snapshot.walls.facets()[facets[0]].boundary] += force;
       return;
     }
-    // force = Σ a_k n_k + rest, the normals being independent of each other.
-    const unsigned int n = facets.size();
-    FullMatrix<double> products(n, n);
-    Vector<double> along(n), shares(n);
-    for (unsigned int k = 0; k < n; ++k)
+    std::vector<Tensor<1, dim>> normals;
+    for (const unsigned int facet : facets)
+      normals.push_back(snapshot.walls.normal(facet));
+    const std::vector<double> shares = normal_parts(normals, force);
+    Tensor<1, dim> rest              = force;
+    for (unsigned int k = 0; k < facets.size(); ++k)
     {
-      along[k] = force * snapshot.walls.normal(facets[k]);
-      for (unsigned int l = 0; l < n; ++l)
-        products(k, l) = snapshot.walls.normal(facets[k]) * snapshot.walls.normal(facets[l]);
-    }
-    products.gauss_jordan();
-    products.vmult(shares, along);
-    Tensor<1, dim> rest = force;
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      const Tensor<1, dim> part = shares[k] * snapshot.walls.normal(facets[k]);
+      const Tensor<1, dim> part = shares[k] * normals[k];
       forces[snapshot.walls.facets()[facets[k]].boundary] += part;
       rest -= part;
     }

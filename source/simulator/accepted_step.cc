@@ -21,11 +21,7 @@ namespace Lahar
       outlets.pressures(region.mesh, region.particles, time + time_step,
                         materials.largest_density() * input.gravity);
     const TimeIntegration &integration = problem.time_integration();
-    // What a force leaves in the mean force of the next step says by how much ΣF̄ lags behind ΣF.
-    Tensor<1, dim> unit;
-    unit[0]           = 1.;
-    const double left = integration.mean_force(Tensor<1, dim>(), unit)[0];
-    const auto before = account.end_step(integration.carried_time(), left / (1. - left) * time_step, fluid());
+    const auto before = account.end_step(integration.carried_time(), integration.force_lag(), fluid());
     problem.accept(region.particles, solids);
     advance_history(time_step);
     wall_step.carry_particles(old_position, region.particles);

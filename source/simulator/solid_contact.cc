@@ -70,10 +70,12 @@ namespace Lahar
 
   template <int dim>
   void SolidContact<dim>::close_gaps(const Numbering &numbering,
+                                     const IndexVector<LocalNode, NodeConstraint<dim>> &constraints,
                                      IndexVector<LocalNode, Tensor<1, dim>> &velocities) const
   {
     for (const Contact &contact : known)
-      velocities[numbering.node(contact.vertex)] -= contact.gap * contact.normal;
+      if (const LocalNode node = numbering.node(contact.vertex); constraints[node].n_fixed == 0)
+        velocities[node] -= contact.gap * contact.normal;
   }
 
 
@@ -121,10 +123,14 @@ namespace Lahar
   template <int dim>
   unsigned int SolidContact<dim>::find(const unsigned int vertex, const unsigned int facet) const
   {
-    const auto place = std::find_if(known.begin(), known.end(), [&](const Contact &contact) {
-      return contact.touch.vertex == vertex && contact.touch.facet == facet;
-    });
-    return place == known.end() ? numbers::invalid_unsigned_int : place - known.begin();
+    auto place = std::lower_bound(known.begin(), known.end(), vertex,
+                                  [](const Contact &contact, const unsigned int v) {
+                                    return contact.touch.vertex < v;
+                                  });
+    for (; place != known.end() && place->touch.vertex == vertex; ++place)
+      if (place->touch.facet == facet)
+        return place - known.begin();
+    return numbers::invalid_unsigned_int;
   }
 
 

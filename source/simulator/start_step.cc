@@ -61,7 +61,7 @@ namespace Lahar
     move_solids(velocities);
     if (contact.any())
     {
-      contact.close_gaps(numbering, velocities);
+      contact.close_gaps(numbering, constraints, velocities);
       fluid.move(numbering.by_vertex(velocities));
       move_solids(velocities);
     }

@@ -107,6 +107,61 @@ void test_joints()
   check("and stands", contact.constraint(i, cloud).n_fixed == 2);
 }
 
+/// A bulge of pieces at 20 degrees to each other, which it passes in small and in large steps; and the edge of a wedge.
+void test_bulge()
+{
+  const double s = std::sin(numbers::PI / 9.), c = std::cos(numbers::PI / 9.), h = 0.1;
+  const Point<2> joint(1., 0.), end(1. + c, -s);
+  const int none = ParticleCloud<2>::no_facet;
+  for (const bool turned : {false, true}) // the normal of the second piece
+  {
+    const Walls<2> walls(
+      {line({0., 0.}, joint, false), turned ? line(end, joint, false) : line(joint, end, false)});
+    const WallStep<2> standing(walls);
+    const WallContact<2> contact(standing);
+    const auto height = [&](const unsigned int facet, const Point<2> &p) {
+      return std::copysign(1., walls.signed_distance(facet, {1., 1.})) * walls.signed_distance(facet, p);
+    };
+    for (const double length : {1e-5, 3e-4, 0.01})
+    {
+      ParticleCloud<2> cloud;
+      cloud.append({0.98, contact_offset * h}, ParticleKind::fluid, h);
+      cloud.contact_facets[0][0] = 0;
+      bool on_one = true, keeps_side = true;
+      for (double x = 1. - 2.5 * length; x < 1. + 3. * length; x += length)
+      {
+        const auto old_position = cloud.position;
+        // As the constraint of its facet has it.
+        cloud.position[0] = cloud.contact_facets[0][0] == 0
+                              ? Point<2>(x, contact_offset * h)
+                              : joint + (x - 1.) * Point<2>(c, -s) + contact_offset * h * Point<2>(s, c);
+        contact.update(old_position, cloud);
+        on_one     = on_one && cloud.contact_facets[0][0] != none && cloud.contact_facets[0][1] == none;
+        keeps_side = keeps_side &&
+                     std::abs(height(cloud.contact_facets[0][0] == 1 ? 1 : 0, cloud.position[0]) -
+                              contact_offset * h) < 1e-15;
+      }
+      check("over a bulge it belongs to one piece at a time", on_one);
+      check("on its outer side", keeps_side);
+      check("and goes on along the next", cloud.contact_facets[0][0] == 1);
+    }
+  }
+  {
+    // A wedge whose back the particle does not see.
+    const Walls<2> walls({line({0., 0.}, joint, false), line(joint, {0., -0.01}, false)});
+    const WallStep<2> standing(walls);
+    const WallContact<2> contact(standing);
+    ParticleCloud<2> cloud;
+    cloud.append({0.98, contact_offset * h}, ParticleKind::fluid, h);
+    cloud.contact_facets[0][0] = 0;
+    const auto old_position    = cloud.position;
+    cloud.position[0]          = {0.99999, contact_offset * h};
+    contact.update(old_position, cloud);
+    check("at the edge of a wedge it stays on its face",
+          cloud.contact_facets[0] == std::array<int, 2>{{0, none}});
+  }
+}
+
 /// A wall along (3, 4) that moves along itself, and a floor on which a wall comes along, in a step of 0.1 s.
 void test_moving()
 {
@@ -213,6 +268,7 @@ int main()
   test_sticking();
   test_sides();
   test_joints();
+  test_bulge();
   test_moving();
   test_sharp_edges();
   return n_failed > 0;

@@ -15,13 +15,12 @@ namespace Lahar
   template <int dim>
   struct SolidTouch
   {
-    unsigned int vertex = 0;
-    unsigned int facet  = 0;               ///< of the walls of the step
-    std::array<unsigned int, dim> corners; ///< nodes of the solids
-    double distance = 0.;                  ///< from the facet's plane, positive outside of the solid, m
-    double area     = 0.;                  ///< h^(dim−1) of the vertex, m² (m in the plane)
-    double force =
-      0.; ///< with which the fluid pressed on the facet in the last step, N; zero where it touches more
+    unsigned int vertex                   = 0;
+    unsigned int facet                    = 0;  ///< of the walls of the step
+    std::array<unsigned int, dim> corners = {}; ///< nodes of the solids
+    double distance                       = 0.; ///< from the facet's plane, positive outside of the solid, m
+    double area                           = 0.; ///< h^(dim−1) of the vertex, m² (m in the plane)
+    double force = 0.; ///< of the fluid on the facet in the last step, N; 0 if it touches more
 
     /**
      * All of a mesh at the start of a step, by ascending vertices.

@@ -8,19 +8,22 @@
 #include <lahar/linear/node_constraint.h>
 #include <lahar/particles/particle_cloud.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
 namespace Lahar
 {
   /**
-   * Contact with walls and the slick surfaces of solids: which particles lie on them, and what that prescribes: n·v is that of the wall, and where the
-   * fluid sticks to it all of v. What resists sliding is no matter of this class, see SlidingContact.
+   * Contact with walls and the slick surfaces of solids: which particles lie on them, and what that prescribes: n·v is
+   * that of the wall, and where the fluid sticks to it all of v. What resists sliding is no matter of this class, see
+   * SlidingContact.
    *
    * A particle that passes through a facet on which fluid lands (WallFacet), or comes nearer than a tenth of its spacing, is
    * put on it and takes its normal velocity. It lies contact_offset times its spacing off the facet's plane, on its side,
-   * and stays there wherever the plane goes. Where a surface is smooth (smooth_joint) it goes on from one facet to the next;
-   * in a sharp hollow corner it belongs to two or three. It leaves a facet over its rim, when it is isolated, or where the
+   * and stays there wherever the plane goes. Where a surface is smooth (smooth_joint) it goes on from one facet to the next,
+   * over a bulge too, where it comes from behind the next facet's plane; in a sharp hollow corner it belongs to two or
+   * three. It leaves a facet over its rim, when it is isolated, or where the
    * facet separates (WallSeparation); what moves away from such a facet does not land on it for being near, unless it comes
    * along it from one that goes on smoothly into it.
    */
@@ -65,6 +68,11 @@ namespace Lahar
 
     /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
     bool goes_on(const int from, const unsigned int to, const int side, const Point<dim> &position) const;
+
+    /// Whether a particle on a facet of @p slots, which is on that @p side of facet @p to, comes to the other side of it
+    /// over a bulge: there the two go on smoothly, and @p to lies behind the plane of the one that it is on.
+    bool comes_over_bulge(const std::array<int, dim> &slots, const unsigned int to, const int side,
+                          const Point<dim> &position) const;
 
     /// Put a particle back on its facets where some are those of solids: the velocities are within the tolerance of the
     /// nonlinear iteration, which may be more than the particle is off a facet.

@@ -22,6 +22,13 @@ namespace Lahar
     return cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
   }
 
+  /// The normal of a facet with the length of its area (of its length in 2D), m² (m).
+  template <int dim>
+  inline Tensor<1, dim> area_vector(const std::array<Point<dim>, dim> &corners)
+  {
+    return facet_normal(corners) / (dim == 2 ? 1. : 2.);
+  }
+
   /// The point of a facet (a segment in 2D, a triangle in 3D) nearest to @p point, by shares of its corners.
   std::array<double, 2> nearest_shares(const std::array<Point<2>, 2> &corners, const Point<2> &point);
   std::array<double, 3> nearest_shares(const std::array<Point<3>, 3> &corners, const Point<3> &point);

@@ -47,8 +47,10 @@ namespace Lahar
       return is_any;
     }
 
-    /// Let the fluid's velocities close the gaps that the solids' present velocities leave.
-    void close_gaps(const Numbering &numbering, IndexVector<LocalNode, Tensor<1, dim>> &velocities) const;
+    /// Let the fluid's velocities close the gaps that the solids' present velocities leave, where nothing prescribes them.
+    void close_gaps(const Numbering &numbering,
+                    const IndexVector<LocalNode, NodeConstraint<dim>> &constraints,
+                    IndexVector<LocalNode, Tensor<1, dim>> &velocities) const;
 
     /// Normals, shares and gaps at the present end of the step.
     void move(const FluidStep<dim> &fluid, const SolidStep<dim> &solid);

@@ -96,6 +96,12 @@ namespace Lahar
       return (force - coefficients.alpha * old_mean_force) / (1. - coefficients.alpha);
     }
 
+    /// −α Δt, s: what forces F have given by the end of the step lies this times the last F̄ below the sum of F Δt.
+    double force_lag() const
+    {
+      return -coefficients.alpha * time_step;
+    }
+
   private:
     std::shared_ptr<const TimeRule> rule;
     double newmark_gamma = 1.5;
