@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 #include <lahar/boundary/normal_parts.h>
+
+#include <Eigen/Cholesky>
 
 namespace Lahar
 {
@@ -11,16 +10,15 @@ namespace Lahar
   std::vector<double> normal_parts(const std::vector<Tensor<1, dim>> &normals, const Tensor<1, dim> &force)
   {
     const unsigned int n = normals.size();
-    FullMatrix<double> products(n, n);
-    Vector<double> along(n), parts(n);
+    Eigen::MatrixXd products(n, n);
+    Eigen::VectorXd along(n);
     for (unsigned int k = 0; k < n; ++k)
     {
       along[k] = force * normals[k];
       for (unsigned int l = 0; l < n; ++l)
         products(k, l) = normals[k] * normals[l];
     }
-    products.gauss_jordan();
-    products.vmult(parts, along);
+    const Eigen::VectorXd parts = products.ldlt().solve(along);
     return {parts.begin(), parts.end()};
   }
 

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <lahar/linear/krylov_least_squares.h>
+
+#include <Eigen/SVD>
 
 #include <cmath>
 #include <limits>
 
 namespace Lahar
 {
+  namespace
+  {
+    /// R from its columns, each down to the diagonal.
+    Eigen::MatrixXd upper_triangle(const std::vector<std::vector<double>> &columns)
+    {
+      const Eigen::Index n = columns.size();
+      Eigen::MatrixXd R    = Eigen::MatrixXd::Zero(n, n);
+      for (Eigen::Index j = 0; j < n; ++j)
+        R.col(j).head(j + 1) = Eigen::Map<const Eigen::VectorXd>(columns[j].data(), j + 1);
+      return R;
+    }
+  } // namespace
+
+
+
   KrylovLeastSquares::KrylovLeastSquares(const double first_residual)
     : rotated(1, first_residual)
   {}
@@ -46,15 +61,9 @@ namespace Lahar
 
   Vector<double> KrylovLeastSquares::solution() const
   {
-    Vector<double> y(n_columns());
-    for (unsigned int i = n_columns(); i-- > 0;)
-    {
-      double value = rotated[i];
-      for (unsigned int j = i + 1; j < n_columns(); ++j)
-        value -= columns[j][i] * y[j];
-      y[i] = value / columns[i][i];
-    }
-    return y;
+    const Eigen::Map<const Eigen::VectorXd> right_side(rotated.data(), n_columns());
+    const Eigen::VectorXd y = upper_triangle(columns).triangularView<Eigen::Upper>().solve(right_side);
+    return Vector<double>(y.begin(), y.end());
   }
 
 
@@ -63,11 +72,6 @@ namespace Lahar
   {
     if (columns.empty())
       return std::numeric_limits<double>::infinity();
-    LAPACKFullMatrix<double> R(n_columns(), n_columns());
-    for (unsigned int j = 0; j < n_columns(); ++j)
-      for (unsigned int i = 0; i <= j; ++i)
-        R(i, j) = columns[j][i];
-    R.compute_svd();
-    return R.singular_value(n_columns() - 1);
+    return Eigen::BDCSVD<Eigen::MatrixXd>(upper_triangle(columns)).singularValues().minCoeff();
   }
 } // namespace Lahar

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <lahar/geometry/symmetry.h>
 #include <lahar/particles/fluid_set.h>
 #include <lahar/remeshing/interface_correction.h>
 #include <lahar/remeshing/interface_faces.h>
 #include <lahar/remeshing/volume_correction.h>
+
+#include <Eigen/QR>
 
 #include <algorithm>
 
@@ -23,24 +23,21 @@ namespace Lahar
     /// λ of the given areas (n × n, symmetric) and excesses; fluids without neighbours get zero.
     std::vector<double> solve(const std::vector<double> &areas, const std::vector<double> &excess)
     {
-      const unsigned int n = excess.size();
-      const double largest = *std::max_element(areas.begin(), areas.end());
-      LAPACKFullMatrix<double> matrix(n, n);
-      Vector<double> result(n);
+      const unsigned int n   = excess.size();
+      const double largest   = *std::max_element(areas.begin(), areas.end());
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
       for (unsigned int f = 0; f < n; ++f)
-      {
-        matrix(f, f) = 0.;
-        result[f]    = excess[f];
         for (unsigned int g = 0; g < n; ++g)
           if (areas[f * n + g] > smallest_area * largest)
           {
             matrix(f, g) = -areas[f * n + g];
             matrix(f, f) += areas[f * n + g];
           }
-      }
-      matrix.compute_inverse_svd(1e-10); // of connected fluids λ is known up to a constant
-      Vector<double> lambda(n);
-      matrix.vmult(lambda, result);
+      // Of connected fluids λ is known up to a constant: the smallest one.
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+      factors.setThreshold(1e-10);
+      factors.compute(matrix);
+      const Eigen::VectorXd lambda = factors.solve(Eigen::Map<const Eigen::VectorXd>(excess.data(), n));
       return {lambda.begin(), lambda.end()};
     }
 
