@@ -70,10 +70,12 @@ namespace Lahar
 
   void CaseStructure::complete()
   {
-    for (const auto &[names, example] :
-         {std::make_pair(&fluids, "fluid"), std::make_pair(&boundaries, "boundary"),
-          std::make_pair(&solids, "solid")})
-      if (names->empty())
-        names->push_back(example);
+    const auto name_one = [](std::vector<std::string> &names, const std::string &example) {
+      if (names.empty())
+        names.push_back(example);
+    };
+    name_one(fluids, "fluid");
+    name_one(boundaries, "boundary");
+    name_one(solids, "solid");
   }
 } // namespace Lahar
