@@ -17,8 +17,6 @@ namespace Lahar
   {
     /// No particle that comes in moves farther than this times its spacing in a step: none would be left out.
     constexpr double largest_movement = 0.9;
-    /// Smaller changes of a layer, over h^dim, are rounding.
-    constexpr double smallest_debt = 1e-10;
 
     /// Of a face, on a plane with the unit normal @p normal.
     template <int dim>
@@ -209,22 +207,6 @@ namespace Lahar
       if (from.source.fluid == fluid)
         sum += length * from.flux;
     return sum;
-  }
-
-
-
-  template <int dim>
-  void Inlets<dim>::owe_layers(const std::map<std::uint64_t, double> &before, const FluidMesh<dim> &mesh,
-                               const Migration<dim> &migration, ParticleCloud<dim> &cloud) const
-  {
-    if (!any())
-      return;
-    for (const auto &[number, volume] : layers(cloud, mesh))
-      if (const auto old = before.find(number); old != before.end())
-        if (const unsigned int i = cloud.find(number);
-            std::abs(volume - old->second) > smallest_debt * std::pow(cloud.spacing[i], dim))
-          cloud.owed_volume[i] += volume - old->second;
-    migration.update(cloud.owed_volume);
   }
 
 

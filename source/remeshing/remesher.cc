@@ -5,7 +5,6 @@
 #include <lahar/remeshing/interface_segments.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
-#include <lahar/remeshing/volume_correction.h>
 #include <lahar/remeshing/wall_segments.h>
 #include <lahar/remeshing/wall_sides.h>
 
@@ -157,6 +156,24 @@ namespace Lahar
 
 
   template <int dim>
+  typename Remesher<dim>::OutsideVolumes Remesher<dim>::passed_on(const OutsideVolumes &before,
+                                                                  const ParticleCloud<dim> &cloud,
+                                                                  const FluidMesh<dim> &mesh) const
+  {
+    constexpr double smallest_change = 1e-10; // over h^dim; less is rounding
+    OutsideVolumes result;
+    if (!before.empty())
+      for (const auto &[number, volume] : find_outside(cloud, mesh))
+        if (const auto old = before.find(number); old != before.end())
+          if (std::abs(volume - old->second) >
+              smallest_change * std::pow(cloud.spacing[cloud.find(number)], dim))
+            result[number] = volume - old->second;
+    return result;
+  }
+
+
+
+  template <int dim>
   typename Remesher<dim>::Report Remesher<dim>::remesh(ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                                        const std::vector<Facet> &solid_facets,
                                                        const double time_step, FluidMesh<dim> &mesh,
@@ -164,7 +181,8 @@ namespace Lahar
   {
     Report report;
     OldDomain<dim> old_domain(cloud, mesh);
-    const auto faces = dim == 2 ? find_interface_faces(mesh) : std::vector<InterfaceFace<dim>>();
+    const auto outside = find_outside ? find_outside(cloud, mesh) : OutsideVolumes();
+    const auto faces   = dim == 2 ? find_interface_faces(mesh) : std::vector<InterfaceFace<dim>>();
     adapt_spacing(cloud, walls, mesh, old_domain, migration);
     const Interfaces interfaces = [&](const double reach, const std::vector<Facet> &segments) {
       if constexpr (dim == 2)
@@ -200,7 +218,8 @@ namespace Lahar
     if (!migration.is_alone())
       report.changed = Utilities::MPI::max(report.changed ? 1U : 0U, migration.communicator()) == 1U;
     if (keep_volume && (report.changed || VolumeCorrection<dim>::is_any_owed(cloud, migration)))
-      VolumeCorrection<dim>::apply(old_domain, walls, mesh, cloud, migration);
+      VolumeCorrection<dim>::apply(old_domain, passed_on(outside, cloud, mesh), walls, mesh, cloud,
+                                   migration);
     for (const unsigned int particle : mesh.particles())
       report.arrives.push_back(arriving[particle]);
     return report;

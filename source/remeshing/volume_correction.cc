@@ -224,8 +224,8 @@ namespace Lahar
 
 
   template <int dim>
-  void VolumeCorrection<dim>::apply(const OldDomain<dim> &old_domain, const Walls<dim> &walls,
-                                    FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud,
+  void VolumeCorrection<dim>::apply(const OldDomain<dim> &old_domain, const OutsideVolumes &passed_on,
+                                    const Walls<dim> &walls, FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud,
                                     const Migration<dim> &migration)
   {
     std::vector<bool> has_cell(cloud.size(), false), in_contact(cloud.size(), false);
@@ -255,9 +255,8 @@ namespace Lahar
     std::vector<double> n_particles(cloud.size(), 0.), change = n_particles, size = n_particles;
     for (unsigned int i = 0; i < cloud.size(); ++i)
       n_particles[i] = cloud.is_own(i) ? 1. : 0.;
-    n_particles = bodies.sum(n_particles, migration);
-    for (const auto &[corners, volume] : find_changes(old_domain, mesh, cloud))
-    {
+    n_particles     = bodies.sum(n_particles, migration);
+    const auto book = [&](const auto &corners, const double volume) {
       unsigned int place  = numbers::invalid_unsigned_int;
       const auto consider = [&](const unsigned int i) {
         if (is_fluid(i) && (place == numbers::invalid_unsigned_int ||
@@ -277,7 +276,11 @@ namespace Lahar
         change[place] += volume;
         size[place] += std::abs(volume);
       }
-    }
+    };
+    for (const auto &[corners, volume] : find_changes(old_domain, mesh, cloud))
+      book(corners, volume);
+    for (const auto &[number, volume] : passed_on)
+      book(std::array<unsigned int, 1>{{cloud.find(number)}}, volume);
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.is_own(i))
       {

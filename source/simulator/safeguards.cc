@@ -88,7 +88,7 @@ namespace Lahar
               (constraints[node].n_fixed == dim && (constraints[node].moves || is_solid[node])))
           {
             mean += velocities[node];
-            ++n;
+            n += velocities[node].norm() > 0. ? 1 : 0; // at the rim of an inflow they are at rest
           }
         for (const unsigned int v : mesh->cells()[c])
           if (const LocalNode node = numbering->node(Vertex(v)); constraints[node].n_fixed < dim)

@@ -46,6 +46,9 @@ namespace Lahar
     materials = input.geometry.materials();
     remesher.parse_parameters(prm);
     remesher.set_number_of_fluids(materials.n_fluids());
+    remesher.set_outside_volumes([this](const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) {
+      return inlets.layers(cloud, mesh);
+    });
     scheme       = NonlinearScheme<dim>::create(prm);
     step_control = std::make_unique<StepControl>(input.run.time_step, input.run.minimum_time_step,
                                                  input.run.maximum_time_step, scheme->max_iterations());
@@ -181,7 +184,6 @@ namespace Lahar
     migrate();
     const SolidContour<dim> contour(solids.mesh().contour(), region.particles);
     input.mesh_size.update(region.particles);
-    const std::map<std::uint64_t, double> layers = inlets.layers(region.particles, region.mesh);
     if (has_multipliers())
       region.multipliers.spread(region.mesh, materials.n_fluids(), region.particles, migration);
     try
@@ -196,8 +198,6 @@ namespace Lahar
     if (has_multipliers())
       region.multipliers.follow(region.mesh, region.particles);
     FluidStructure<dim>::complete(region.mesh, materials, migration, region.particles);
-    if (remesher.keeps_volume())
-      inlets.owe_layers(layers, region.mesh, migration, region.particles);
     account.counters.forced_facets += count_on_ranks(region.remeshing.n_forced);
     account.remeshed(fluid());
     if (materials.n_fluids() > 1 && remesher.keeps_volume() && materials.all_incompressible())

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Test that remeshing keeps the volume of a block whose particles are disturbed, with the plain alpha shape, which
-// changes it most, in two and three dimensions; and that it moves no more than it must.
+// changes it most, in two and three dimensions; and that it moves no more than it must, nor for what the mesh and volumes
+// outside of it, as the layers of an inflow, hand to each other.
 
 #include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/remesher.h>
@@ -88,10 +89,29 @@ void test_inside()
   check(name + "moves no particle", shift, 1e-6); // cells that are too flat are none
 }
 
+/// What the mesh loses or gains, a particle holds or gives outside of it: nothing is to be taken back.
+template <int dim>
+void test_outside(const unsigned int n)
+{
+  Block<dim> block(n, "plain", "true");
+  block.remesher.set_outside_volumes([](const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh) {
+    return std::map<std::uint64_t, double>{{cloud.number[0], 1e3 - mesh.volume(cloud)}};
+  });
+  double shift;
+  const double change    = block.remesh_after_motion(shift);
+  const std::string name = std::to_string(dim) + "D: ";
+  check(name + "with a volume outside the mesh changes", std::abs(change) > 2e-3);
+  check(name + "but no particle moves for what passes between the two", shift, 0.);
+  check(name + "and none owes anything",
+        *std::max_element(block.cloud.owed_volume.begin(), block.cloud.owed_volume.end()), 0.);
+}
+
 int main()
 {
   test_disturbed<2>(12);
   test_disturbed<3>(8);
+  test_outside<2>(12);
+  test_outside<3>(8);
   test_inside<2>();
   test_inside<3>();
   return n_failed;

@@ -8,7 +8,6 @@
 #include <lahar/geometry/point_set.h>
 #include <lahar/linear/node_constraint.h>
 #include <lahar/remeshing/fluid_mesh.h>
-#include <lahar/remeshing/migration.h>
 
 #include <map>
 #include <string>
@@ -95,14 +94,6 @@ namespace Lahar
     /// The sum of those of one fluid.
     double layer_volume(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh,
                         const unsigned int fluid) const;
-
-    /**
-     * Let the particles owe what the layers have become larger by since they were @p before: a new mesh has left out
-     * simplices of particles that come in alone, whose volume is in the layer now, and the free surface has given it a
-     * second time (VolumeCorrection). Collective.
-     */
-    void owe_layers(const std::map<std::uint64_t, double> &before, const FluidMesh<dim> &mesh,
-                    const Migration<dim> &migration, ParticleCloud<dim> &cloud) const;
 
     /// About the largest v/h in a step, 1/s.
     double fastest(const double time, const double step_length) const;

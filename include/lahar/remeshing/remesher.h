@@ -9,6 +9,7 @@
 #include <lahar/remeshing/fluid_mesh.h>
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/particle_spacing.h>
+#include <lahar/remeshing/volume_correction.h>
 #include <lahar/utilities/parameters.h>
 
 #include <functional>
@@ -30,6 +31,10 @@ namespace Lahar
 
     /// Whether a simplex of particles belongs to a region.
     using Region = std::function<bool(const Simplex<dim> &, const ParticleCloud<dim> &)>;
+
+    /// What this rank's own particles hold outside of a mesh, see VolumeCorrection.
+    using OutsideVolumes = typename VolumeCorrection<dim>::OutsideVolumes;
+    using FindOutside    = std::function<OutsideVolumes(const ParticleCloud<dim> &, const FluidMesh<dim> &)>;
 
     /// What a remeshing did.
     struct Report
@@ -54,6 +59,12 @@ namespace Lahar
     {
       n_fluids = n;
       particle_spacing.set_number_of_fluids(n);
+    }
+
+    /// What passes between the mesh and the volumes outside of it, which @p find finds, is no change of the volume.
+    void set_outside_volumes(const FindOutside &find)
+    {
+      find_outside = find;
     }
 
     /**
@@ -130,8 +141,13 @@ namespace Lahar
     bool adapt_spacing(ParticleCloud<dim> &cloud, const Walls<dim> &walls, const FluidMesh<dim> &mesh,
                        OldDomain<dim> &old_domain, Migration<dim> &migration) const;
 
+    /// What particles hold outside of the mesh more than they did before.
+    OutsideVolumes passed_on(const OutsideVolumes &before, const ParticleCloud<dim> &cloud,
+                             const FluidMesh<dim> &mesh) const;
+
     bool keep_volume      = true;
     unsigned int n_fluids = 1;
+    FindOutside find_outside; ///< none: nothing is outside
     AlphaShape<dim> alpha_shape;
     ParticleSpacing<dim> particle_spacing;
   };

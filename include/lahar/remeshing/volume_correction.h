@@ -8,6 +8,7 @@
 #include <lahar/remeshing/migration.h>
 #include <lahar/remeshing/old_domain.h>
 
+#include <map>
 #include <vector>
 
 namespace Lahar
@@ -18,7 +19,9 @@ namespace Lahar
    * The cells that the last mesh did not have and those that the new one does not have change the volume by
    * ΔV = Σ V(new) − Σ V(old); inside the fluid they cover the same region and the sum is zero. Each belongs to the
    * largest body that one of its fluid particles is in or, if none is left, of those that shared a cell with them; an
-   * isolated particle is a body of its own, which carries what it owes until it lands. The body's free surface gives ΔV
+   * isolated particle is a body of its own, which carries what it owes until it lands. What the mesh hands to volumes
+   * outside of it, as the layers of fluid that comes in, counts with the body of the particle that holds it, so that the
+   * cells that the mesh lacks are no loss. The body's free surface gives ΔV
    * back: with A_i the sum of the shares, see face_share(), of particle i in the outward area vectors of the surface's
    * faces
    *
@@ -34,6 +37,9 @@ namespace Lahar
   class VolumeCorrection
   {
   public:
+    /// Volumes that particles hold outside of the mesh, m^dim, by their numbers; this rank's own particles.
+    using OutsideVolumes = std::map<std::uint64_t, double>;
+
     /// The volumes of the mesh's cells, where the particles are now.
     static std::vector<double> cell_volumes(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud);
 
@@ -60,10 +66,12 @@ namespace Lahar
      * Move the particles of the free surface of @p mesh, just made. Collective.
      *
      * @param old_domain the last mesh, renumbered to the particles of @p cloud.
+     * @param passed_on what particles hold outside of the new mesh more than outside of the last one: it is no change.
      * @param walls rigid walls and contours of solids.
      */
-    static void apply(const OldDomain<dim> &old_domain, const Walls<dim> &walls, FluidMesh<dim> &mesh,
-                      ParticleCloud<dim> &cloud, const Migration<dim> &migration);
+    static void apply(const OldDomain<dim> &old_domain, const OutsideVolumes &passed_on,
+                      const Walls<dim> &walls, FluidMesh<dim> &mesh, ParticleCloud<dim> &cloud,
+                      const Migration<dim> &migration);
   };
 } // namespace Lahar
 
