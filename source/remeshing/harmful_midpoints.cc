@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/remeshing/harmful_midpoints.h>
+#include <lahar/remeshing/wall_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -63,29 +64,28 @@ namespace Lahar
               if (!is_end(c, e) && middle[e].distance(cloud.position[c]) < smallest_distance * h(e))
                 harmful[e] = true;
 
-    for (const BoundaryFace &face : mesh.boundary_faces())
-      if (face.free_surface)
-      {
-        const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
-        std::array<Point<dim>, dim> x;
-        for (unsigned int c = 0, i = 0; c <= dim; ++c)
-          if (c != face.opposite)
-            x[i++] = cloud.position[cell[c]];
-        Tensor<1, dim> normal;
-        if constexpr (dim == 3)
-          normal = cross_product_3d(x[1] - x[0], x[2] - x[0]);
-        for (unsigned int c = 0; c <= dim; ++c)
-          if (c != face.opposite)
-            for (const unsigned int e : edges_at[cell[c]])
-            {
-              const unsigned int n_ends = std::count_if(cell.begin(), cell.end(), [&](const unsigned int i) {
-                return i != cell[face.opposite] && is_end(i, e);
-              });
-              const double depth        = std::abs(normal * (middle[e] - x[0])) / normal.norm();
-              on_surface[e]             = on_surface[e] || n_ends == 2;
-              near_surface[e]           = near_surface[e] || depth < smallest_depth * h(e);
-            }
-      }
+    for (const BoundaryFace &face : free_surface_faces(mesh, cloud, walls))
+    {
+      const Simplex<dim> &cell = mesh.particle_cells()[face.cell];
+      std::array<Point<dim>, dim> x;
+      for (unsigned int c = 0, i = 0; c <= dim; ++c)
+        if (c != face.opposite)
+          x[i++] = cloud.position[cell[c]];
+      Tensor<1, dim> normal;
+      if constexpr (dim == 3)
+        normal = cross_product_3d(x[1] - x[0], x[2] - x[0]);
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+          for (const unsigned int e : edges_at[cell[c]])
+          {
+            const unsigned int n_ends = std::count_if(cell.begin(), cell.end(), [&](const unsigned int i) {
+              return i != cell[face.opposite] && is_end(i, e);
+            });
+            const double depth        = std::abs(normal * (middle[e] - x[0])) / normal.norm();
+            on_surface[e]             = on_surface[e] || n_ends == 2;
+            near_surface[e]           = near_surface[e] || depth < smallest_depth * h(e);
+          }
+    }
     // Both ways from fluid to the middle must be free; an end that is a wall's lies in it.
     for (unsigned int e = 0; e < n; ++e)
     {

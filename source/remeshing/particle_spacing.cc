@@ -7,6 +7,7 @@
 #include <lahar/remeshing/interface_faces.h>
 #include <lahar/remeshing/merged_place.h>
 #include <lahar/remeshing/particle_spacing.h>
+#include <lahar/remeshing/wall_faces.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
 #include <algorithm>
@@ -228,7 +229,11 @@ namespace Lahar
     const unsigned int n = cloud.size();
     // What holds the shape of the domain stays before what lies inside it: contacts with walls, the free surface.
     std::vector<unsigned int> rank(n);
-    const std::vector<bool> on_surface = mesh.on_free_surface(n);
+    std::vector<bool> on_surface(n, false);
+    for (const BoundaryFace &face : free_surface_faces(mesh, cloud, walls))
+      for (unsigned int c = 0; c <= dim; ++c)
+        if (c != face.opposite)
+          on_surface[mesh.particle_cells()[face.cell][c]] = true;
     for (unsigned int i = 0; i < n; ++i)
     {
       rank[i] = on_surface[i] ? dim + 1 : 0;
@@ -371,6 +376,8 @@ namespace Lahar
 
     const unsigned int n_old = cloud.size();
     insert(inserted, mesh, migration, cloud);
+    for (unsigned int i = n_old; i < cloud.size(); ++i)
+      touch_plane_wall(i, inserted[i - n_old], walls, cloud);
     removed.resize(cloud.size(), false);
     std::vector<unsigned int> new_index = cloud.remove(removed);
     new_index.resize(n_old);

@@ -102,8 +102,9 @@ void test_outside(const unsigned int n)
   const std::string name = std::to_string(dim) + "D: ";
   check(name + "with a volume outside the mesh changes", std::abs(change) > 2e-3);
   check(name + "but no particle moves for what passes between the two", shift, 0.);
+  // Of 1e-3 each that the change of the mesh would be.
   check(name + "and none owes anything",
-        *std::max_element(block.cloud.owed_volume.begin(), block.cloud.owed_volume.end()), 0.);
+        *std::max_element(block.cloud.owed_volume.begin(), block.cloud.owed_volume.end()), 1e-8);
 }
 
 int main()
