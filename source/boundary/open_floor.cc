@@ -37,9 +37,11 @@ namespace Lahar
       if (cloud.kind[i] != ParticleKind::fluid)
         continue;
       ++n_fluid;
-      // From a little above, since particles may lie on a wall; beside the rim of a wall they slide down.
+      // From a little above, since particles may lie on a wall; beside the rim of a wall they slide down. Facets are
+      // enlarged, as a line through an edge may miss both by rounding.
       const Point<dim> start = cloud.position[i] - 0.1 * cloud.spacing[i] * down;
-      if (obstacles.crossed(start, start + far_away * down, 0., 0.).empty() &&
+      const double rim       = 1e-3 * cloud.spacing[i];
+      if (obstacles.crossed(start, start + far_away * down, 0., rim).empty() &&
           obstacles.near(cloud.position[i], cloud.spacing[i]).empty() && n_open++ == 0)
         first = i;
     }
