@@ -4,9 +4,11 @@
 
     contrib/plot/depth_map.py output-landslide --times 0 10 20 30 --cell 30 --contours 25 --to landslide.png
     contrib/plot/depth_map.py output-landslide --rasters maps --origin 431000 5212000     # for a GIS
+    contrib/plot/depth_map.py output-barrier --rasters maps --summary summary.png         # and a picture of them
 
 The depth of a cell of the map is the volume of fluid above it over its area; tetrahedra are divided among cells by points
-inside them. Coordinates are those of the run; a raster gets the --origin that the case subtracts added again.
+inside them. Coordinates are those of the run; a raster gets the --origin that the case subtracts added again. Solids are
+drawn where they stand.
 
 The rasters of --rasters are ESRI ASCII grids made of all snapshots, without a value where there never was fluid:
 
@@ -25,11 +27,19 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.collections import PolyCollection  # noqa: E402
 
 from figure_style import save, use_style  # noqa: E402
 from lahar_output import OutputError, nearest_snapshots, read_pvd, read_vtu, run_script  # noqa: E402
+from mesh_geometry import outside  # noqa: E402
 
 DIVISIONS = 4  # of an edge; a tetrahedron's volume goes in equal parts to 20 points inside it
+
+
+# Of the rasters in the picture of --summary: the label, the factor of its unit and the colours.
+SUMMARY = {"largest_depth": ("largest depth (m)", 1., "YlOrBr"), "largest_speed": ("largest speed (m/s)", 1., "viridis"),
+           "largest_pressure": ("largest pressure (kPa)", 1e-3, "magma_r"), "arrival_time": ("arrival (s)", 1., "cividis"),
+           "deposit": ("deposit (m)", 1., "YlOrBr")}
 
 
 def parse_arguments():
@@ -40,6 +50,7 @@ def parse_arguments():
     parser.add_argument("--cell", type=float, help="of the map, m (default: a sixtieth of the ground)")
     parser.add_argument("--contours", type=float, help="height between contour lines, m (default: about ten lines)")
     parser.add_argument("--rasters", type=pathlib.Path, help="directory for rasters made of all snapshots")
+    parser.add_argument("--summary", type=pathlib.Path, help="a picture of the rasters of all snapshots, side by side")
     parser.add_argument("--least", type=float, default=0., help="depth with which the fluid has arrived, m (default: any)")
     parser.add_argument("--projection", type=pathlib.Path, help=".prj file of the terrain; each raster gets a copy")
     parser.add_argument("--origin", type=float, nargs=2, default=(0., 0.), help="x and y that the case subtracts from its map")
@@ -116,8 +127,8 @@ class DepthMap:
                 file.write(" ".join(f"{value:.4g}" for value in row) + "\n")
 
 
-def write_rasters(grid, snapshots, arguments):
-    """The rasters of --rasters, see above."""
+def make_rasters(grid, snapshots, arguments):
+    """The rasters of --rasters by name, see above."""
     rasters = {name: np.full(grid.shape[::-1], np.nan)
                for name in ("largest_depth", "largest_speed", "largest_pressure", "arrival_time")}
     for time, path in snapshots:
@@ -127,6 +138,10 @@ def write_rasters(grid, snapshots, arguments):
         arrives = np.isnan(rasters["arrival_time"]) & (depth >= arguments.least)
         rasters["arrival_time"][arrives] = time
         rasters["deposit"] = depth
+    return rasters
+
+
+def write_rasters(grid, rasters, arguments):
     arguments.rasters.mkdir(parents=True, exist_ok=True)
     for name, values in rasters.items():
         grid.write(arguments.rasters / f"{name}.asc", values, arguments.origin)
@@ -140,44 +155,93 @@ def contour_levels(lowest, highest, step):
     return np.arange(np.ceil(lowest / step), highest / step) * step if step > 0. else np.zeros(0)
 
 
+class Ground:
+    """What all maps have below their colours: contour lines of the ground, and the solids on it."""
+
+    def __init__(self, mesh, step):
+        self.mesh = mesh
+        self.lower, self.upper = mesh.points.min(axis=0), mesh.points.max(axis=0)
+        self.levels = contour_levels(self.lower[2], self.upper[2], step)
+
+    def draw(self, axis, solid):
+        x, y, z = self.mesh.points.T
+        if len(self.levels) > 0:
+            lines = axis.tricontour(x, y, self.mesh.cells, z, levels=self.levels, colors="0.55", linewidths=0.5)
+            axis.clabel(lines, lines.levels[::4], fontsize=6, fmt="%g")
+        if solid is not None:
+            faces, _ = outside(solid)
+            axis.add_collection(PolyCollection(solid.points[faces][:, :, :2], facecolors="0.15", edgecolors="none", zorder=3))
+        axis.set_xlim(self.lower[0], self.upper[0])
+        axis.set_ylim(self.lower[1], self.upper[1])
+        axis.set_aspect("equal")
+        axis.set_xlabel("x (m)")
+
+    def figure(self, n_maps, columns):
+        """A figure for maps in rows of at most @p columns, and its axes."""
+        columns = min(n_maps, columns)
+        rows = -(-n_maps // columns)
+        width, size = 2.6 if columns == n_maps else 3., (self.upper - self.lower)[:2]
+        figure, axes = plt.subplots(rows, columns, figsize=(width * columns + 0.9, rows * (width * size[1] / size[0] + 0.5)),
+                                    sharey=True, squeeze=False, constrained_layout=True)
+        for row in axes:
+            row[0].set_ylabel("y (m)")
+        for axis in axes.flat[n_maps:]:
+            axis.set_axis_off()
+        return figure, axes
+
+
+def draw_depths(grid, ground, chosen, solids, path):
+    """The depths of the chosen snapshots (time, path), in one scale."""
+    depths = [grid.depth(read_vtu(name, 3)) for _, name in chosen]
+    deepest = np.fmax.reduce(depths, axis=None)
+    if not deepest > 0.:
+        raise OutputError(f"{chosen[0][1].parent}: no fluid above the ground at these times; allowed: times with some")
+    figure, axes = ground.figure(len(chosen), len(chosen))
+    for axis, (time, _), depth in zip(axes[0], chosen, depths):
+        ground.draw(axis, solid_at(solids, time))
+        image = axis.imshow(depth, origin="lower", extent=grid.extent(), cmap="YlOrBr", vmin=0., vmax=deepest, alpha=0.85)
+        axis.set_title(f"t = {time:.3g} s")
+    figure.colorbar(image, ax=axes[0].tolist(), label="depth (m)", shrink=0.8)
+    save(figure, path)
+
+
+def draw_summary(grid, ground, rasters, solid, path):
+    """The rasters, each in a scale of its own."""
+    figure, axes = ground.figure(len(rasters), 3)
+    for axis, (name, values) in zip(axes.flat, rasters.items()):
+        label, factor, colours = SUMMARY[name]
+        ground.draw(axis, solid)
+        image = axis.imshow(factor * values, origin="lower", extent=grid.extent(), cmap=colours, alpha=0.85)
+        figure.colorbar(image, ax=axis, label=label, shrink=0.8)
+    save(figure, path)
+
+
+def solid_at(solids, time):
+    """The solids' mesh at a time; None if the run has none."""
+    return read_vtu(nearest_snapshots(solids, [time])[0][1], 3) if solids else None
+
+
 def main():
     arguments = parse_arguments()
     use_style()
     snapshots = read_pvd(arguments.output / "solution.pvd")
     if not snapshots:
         raise OutputError(f"{arguments.output}/solution.pvd: no snapshot; allowed: a run with one snapshot or more")
+    solids = read_pvd(arguments.output / "solution.pvd", 1)
     times = arguments.times or [snapshots[0][0], snapshots[len(snapshots) // 2][0], snapshots[-1][0]]
     walls_path = arguments.output / "walls.vtu"
     if not walls_path.is_file():
         raise OutputError(f"{walls_path}: there are no walls that stand still, and so no ground")
-    ground = read_vtu(walls_path, 3)
-    lower, upper = ground.points.min(axis=0), ground.points.max(axis=0)
-    grid = DepthMap(lower[:2], upper[:2], arguments.cell or (upper - lower)[:2].max() / 60.)
-
-    chosen = nearest_snapshots(snapshots, times)
-    depths = [grid.depth(read_vtu(path, 3)) for _, path in chosen]
-    deepest = np.fmax.reduce(depths, axis=None)
-    if not deepest > 0.:
-        raise OutputError(f"{arguments.output}: no fluid above the ground at these times; allowed: times with some")
-    levels = contour_levels(lower[2], upper[2], arguments.contours)
-    width = 2.6
-    size = (upper - lower)[:2]
-    figure, axes = plt.subplots(1, len(chosen), figsize=(width * len(chosen) + 0.9, width * size[1] / size[0] + 0.5),
-                                sharey=True, squeeze=False, constrained_layout=True)
-    for axis, (time, _), depth in zip(axes[0], chosen, depths):
-        if len(levels) > 0:
-            lines = axis.tricontour(ground.points[:, 0], ground.points[:, 1], ground.cells, ground.points[:, 2],
-                                    levels=levels, colors="0.55", linewidths=0.5)
-            axis.clabel(lines, lines.levels[::4], fontsize=6, fmt="%g")
-        image = axis.imshow(depth, origin="lower", extent=grid.extent(), cmap="YlOrBr", vmin=0., vmax=deepest, alpha=0.85)
-        axis.set_aspect("equal")
-        axis.set_title(f"t = {time:.3g} s")
-        axis.set_xlabel("x (m)")
-    axes[0][0].set_ylabel("y (m)")
-    figure.colorbar(image, ax=axes[0].tolist(), label="depth (m)", shrink=0.8)
-    save(figure, arguments.to)
-    if arguments.rasters:
-        write_rasters(grid, snapshots, arguments)
+    ground = Ground(read_vtu(walls_path, 3), arguments.contours)
+    extent = (ground.upper - ground.lower)[:2].max()
+    grid = DepthMap(ground.lower[:2], ground.upper[:2], arguments.cell or extent / 60.)
+    draw_depths(grid, ground, nearest_snapshots(snapshots, times), solids, arguments.to)
+    if arguments.rasters or arguments.summary:
+        rasters = make_rasters(grid, snapshots, arguments)
+        if arguments.rasters:
+            write_rasters(grid, rasters, arguments)
+        if arguments.summary:
+            draw_summary(grid, ground, rasters, solid_at(solids, snapshots[-1][0]), arguments.summary)
 
 
 if __name__ == "__main__":

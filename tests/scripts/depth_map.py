@@ -39,19 +39,21 @@ def write_vtu(path, kind, points, cells, speed=0., pressure=lambda point: 0.):
                    + "</PointData></Piece></UnstructuredGrid></VTKFile>")
 
 
-def write_run(directory, name, height, snapshots):
+def write_run(directory, name, height, snapshots, solid=None):
     """An output directory: ground of this height(x, y), and snapshots (points, cells) one second apart, in which the fluid
-    has a speed of 1, 2, … m/s and a pressure of −1000 Pa per metre of x."""
+    has a speed of 1, 2, … m/s and a pressure of −1000 Pa per metre of x, and a solid (points, cells) if there is one."""
     folder = os.path.join(directory, name)
     os.mkdir(folder)
     write_vtu(os.path.join(folder, "walls.vtu"), TRIANGLE, [(x, y, height(x, y)) for x in (0., N_X) for y in (0., N_Y)],
               [(0, 2, 1), (1, 2, 3)])
     for k, snapshot in enumerate(snapshots):
         write_vtu(os.path.join(folder, f"solution-{k:05}.vtu"), TETRAHEDRON, *snapshot, k + 1., lambda point: -1e3 * point[0])
+    if solid:
+        write_vtu(os.path.join(folder, "solid-00000.vtu"), TETRAHEDRON, *solid)
     with open(os.path.join(folder, "solution.pvd"), "w") as file:
         file.write('<VTKFile type="Collection"><Collection>' + "".join(
             f'<DataSet timestep="{k}" part="0" file="solution-{k:05}.vtu"/>' for k in range(len(snapshots)))
-            + "</Collection></VTKFile>")
+            + ('<DataSet timestep="0" part="1" file="solid-00000.vtu"/>' if solid else "") + "</Collection></VTKFile>")
 
 
 def slope(x, y):
@@ -79,14 +81,16 @@ def read_grid(path):
 
 def test_columns(directory):
     first, second = {(0, 0): 2., (1, 0): 0.5, (3, 2): 1.25}, {(1, 0): 0.75, (3, 2): 1., (2, 1): 0.1}
-    write_run(directory, "columns", slope, [columns(first), columns(second)])
+    write_run(directory, "columns", slope, [columns(first), columns(second)], columns({(2, 2): 1.}))
     projection = os.path.join(directory, "terrain.prj")
     with open(projection, "w") as file:
         file.write("a projection")
     process = run_script(directory, SCRIPT, "columns", "--cell", "1", "--to", "columns.png", "--rasters", "maps",
-                         "--least", "0.2", "--projection", projection, "--origin", *map(str, ORIGIN))
+                         "--summary", "summary.png", "--least", "0.2", "--projection", projection, "--origin", *map(str, ORIGIN))
     check("it draws the map", process.returncode == 0 and not process.stderr
           and is_drawing(os.path.join(directory, "columns.png")), process.stderr)
+
+    check("it draws the rasters", is_drawing(os.path.join(directory, "summary.png")))
 
     def is_raster(name, exact, tolerance):
         head, values = read_grid(os.path.join(directory, "maps", name + ".asc"))
