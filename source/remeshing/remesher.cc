@@ -5,6 +5,7 @@
 #include <lahar/remeshing/interface_segments.h>
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
+#include <lahar/remeshing/solid_interior.h>
 #include <lahar/remeshing/wall_segments.h>
 #include <lahar/remeshing/wall_sides.h>
 
@@ -102,7 +103,15 @@ namespace Lahar
     }
     auto candidates = local_delaunay<dim>(cloud, own, reach, is_own_candidate, migration);
     if constexpr (dim == 3)
+    {
       part_sides_of_walls(cloud, walls, reach, is_own_candidate, candidates);
+      const SolidInterior<dim> inside(solid_facets, cloud);
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                      [&](const Simplex<dim> &simplex) {
+                                        return inside.holds_edge_of(simplex, cloud);
+                                      }),
+                       candidates.end());
+    }
     return candidates;
   }
 
