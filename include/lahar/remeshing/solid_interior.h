@@ -12,14 +12,15 @@
 namespace Lahar
 {
   /**
-   * The inside of solids, as far as simplices with corners on their contours see it. In space a contour is no constraint
-   * of the triangulation: below a foot that the ground does not quite touch, or at the rim of a face, a simplex may reach
-   * from the fluid around the rim and lie inside the solid, though none of its edges passes through a facet.
+   * The inside of solids, as far as simplices with corners on their contours see it. In space a contour is no
+   * constraint of the triangulation: below a foot that the ground does not quite touch, or at the rim of a face, a
+   * simplex may reach from the fluid around the rim and lie inside the solid, though none of its edges passes through a
+   * facet.
    *
-   * An edge between two nodes of contours is inside if at both ends it leads behind all facets there, by more than chords
-   * of a bent face do: with the outward normals n of the facets at a, and d the unit vector from a to b,
-   * max n·d < −0.2, and the same at b with −d. Where the contour is convex this is the inside at a node, and a part of it
-   * where it is not.
+   * An edge between two nodes of contours is inside if at both ends it leads behind all facets there, by more than
+   * chords of a bent face do: with the outward normals n of the facets at a, and d the unit vector from a to b,
+   * max n·d < −0.2, and the same at b with −d. Where the contour is convex this is the inside at a node, and a part of
+   * it where it is not.
    */
   template <int dim>
   class SolidInterior
