@@ -5,8 +5,9 @@
 namespace Lahar
 {
   template <int dim>
-  CellFlow<dim>::CellFlow(const SimplexCorners<dim> &x, const Simplex<dim> &vertices,
+  CellFlow<dim>::CellFlow(const SimplexCorners<dim> &corners, const Simplex<dim> &vertices,
                           const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures)
+    : x(corners)
   {
     for (unsigned int I = 0; I < n_nodes; ++I)
     {

@@ -87,9 +87,12 @@ namespace Lahar
       const FluidLaw &law = materials.law(mesh.fluid(c));
       const CellFlow<dim> cell(state.shape_of(c, mesh.cells()[c]), mesh.cells()[c], state.velocity,
                                state.pressure);
-      const double edge = cell.edge();
-      const double mu_eff =
-        law.effective_viscosity(cell.strain_rate(), cell.confining_pressure(), state.structure_of(c)).value;
+      const double edge   = cell.edge();
+      const double mu_eff = law
+                              .effective_viscosity(cell.strain_rate(),
+                                                   cell.confining_pressure(law, state.gravity),
+                                                   state.structure_of(c))
+                              .value;
       const double mu      = std::min(mu_eff, viscosity_limit);
       const double inertia = 2. * law.density() / state.time_step;
       double speed         = 0.;

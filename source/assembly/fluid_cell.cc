@@ -19,6 +19,7 @@ namespace Lahar
     , cell_law(&law)
     , dt(state.time_step)
     , g(state.gravity)
+    , P(CellFlow<dim>::confining_pressure(law, state.gravity))
     , tau_s(state.stabilization[c])
     , mu_s(state.stabilization_viscosity[c])
     , pi(state.projection_of(c, vertices, fluid))

@@ -150,8 +150,9 @@ namespace Lahar
     assemble_stress(cell, stress, tangent, system);
 
     if (viscosity.pressure_derivative == 0. || linearization == ViscosityLinearization::picard ||
-        !(cell.mean_pressure() < 0.))
+        !(cell.confining_pressure() > 0.))
       return;
+    // What moves with its corner J changes p_w there as the pressure p_J would.
     const SymmetricTensor<2, dim> by_pressure = -2. * cell.volume() / n * viscosity.pressure_derivative *
                                                 cell.deviator();
     for (unsigned int I = 0; I < n; ++I)
@@ -160,8 +161,15 @@ namespace Lahar
       if (cell.is_ring())
         column[radial] -= cell.hoop_gradient() * trace(by_pressure);
       for (unsigned int J = 0; J < n; ++J)
+      {
+        const Tensor<1, dim> by_motion = cell.motion() * cell.pore_pressure_gradient(J);
         for (unsigned int a = 0; a < dim; ++a)
+        {
           system.matrix[S::index(I, a)][S::pressure_index(J)] += column[a];
+          for (unsigned int b = 0; b < dim; ++b)
+            system.matrix[S::index(I, a)][S::index(J, b)] += column[a] * by_motion[b];
+        }
+      }
     }
   }
 

@@ -34,7 +34,7 @@ namespace Lahar
     const SymmetricTensor<2, dim> tangential = unit_symmetric_tensor<dim>() -
                                                symmetrize(outer_product(normal, normal));
     const Tensor<1, dim> s                = tangential * (velocity - wall_velocity);
-    const double normal_stress            = state.excess_stress - pressure;
+    const double normal_stress            = state.excess_stress - pressure - pore_pressure;
     const SurfaceLaw::Resistance resisted = law->resistance(std::max(normal_stress, 0.));
     SlidingForce<dim> result;
     result.value       = resisted.viscous * s;

@@ -21,6 +21,7 @@ namespace Lahar
   {
     declare_common_parameters(prm);
     GrainFriction::declare_parameters(prm);
+    PoreWater::declare_parameters(prm);
     prm.declare_positive("Friction slope", "0.05",
                          "Growth μ_∞ of friction with the inertial number in rapid flow, zero or above.");
     prm.declare_number("Creep exponent", "1.9",
@@ -42,6 +43,7 @@ namespace Lahar
   {
     FluidLaw::parse_parameters(prm);
     grains.parse_parameters(prm, density());
+    water.parse_parameters(prm, density());
     mu_infinity = prm.get_positive("Friction slope", true);
     alpha       = prm.get_positive("Creep exponent");
     if (alpha >= largest_alpha)

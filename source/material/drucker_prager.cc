@@ -28,6 +28,7 @@ namespace Lahar
     prm.declare_positive(
       "Viscosity", "0.001",
       "Viscosity μ in Pa s, zero or above: the slope of stress over strain rate after yielding.");
+    PoreWater::declare_parameters(prm);
     declare_regularization(prm, "μ + m τ_y");
   }
 
@@ -43,6 +44,7 @@ namespace Lahar
     tau_0    = cohesion * std::cos(angle * numbers::PI / 180.);
     friction = std::sin(angle * numbers::PI / 180.);
     mu       = prm.get_positive("Viscosity", true);
+    water.parse_parameters(prm, density());
     parse_regularization(prm);
   }
 

@@ -9,6 +9,7 @@ namespace Lahar
   {
     declare_common_parameters(prm);
     GrainFriction::declare_parameters(prm);
+    PoreWater::declare_parameters(prm);
     prm.declare_positive("Cohesion", "0",
                          "Cohesion c in Pa, zero or above, the yield stress without pressure.");
     prm.declare_positive(
@@ -24,6 +25,7 @@ namespace Lahar
   {
     FluidLaw::parse_parameters(prm);
     grains.parse_parameters(prm, density());
+    water.parse_parameters(prm, density());
     tau_0    = prm.get_positive("Cohesion", true);
     friction = grains.static_friction();
     mu_f     = prm.get_positive("Viscosity", true);

@@ -29,8 +29,9 @@ namespace Lahar
       const std::vector<double> structure = FluidStructure<dim>::of_cells(snapshot.mesh, snapshot.materials,
                                                                           snapshot.cloud);
       for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
-        values[c] = snapshot.law(c)
-                      .effective_viscosity(cell.strain_rate(), cell.confining_pressure(),
+        const FluidLaw &law = snapshot.law(c);
+        values[c]           = law
+                      .effective_viscosity(cell.strain_rate(), cell.confining_pressure(law, snapshot.gravity),
                                            structure.empty() ? 0. : structure[c])
                       .value;
       });

@@ -40,11 +40,11 @@ namespace Lahar
       const auto &cells                   = snapshot.mesh.particle_cells();
       for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
         const FluidLaw &law = snapshot.law(c);
-        values[c]           = law.is_yielded(cell.strain_rate(), cell.confining_pressure(),
+        values[c]         = law.is_yielded(cell.strain_rate(), cell.confining_pressure(law, snapshot.gravity),
                                    structure.empty() ? 0. : structure[c]);
-        const auto *value   = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
-                                ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
-                                : nullptr;
+        const auto *value = snapshot.multipliers != nullptr && law.has_exact_yield_stress()
+                              ? snapshot.multipliers->find(CellTable<dim>::key(cells[c], snapshot.cloud))
+                              : nullptr;
         if (value != nullptr)
           values[c] = deviator_norm<dim>(*value) > 1. - rounding;
       });

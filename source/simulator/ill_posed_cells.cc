@@ -22,8 +22,8 @@ namespace Lahar
       return;
     const auto &cells = snapshot.mesh.particle_cells();
     for_each_cell(snapshot, [&](const unsigned int c, const CellFlow<dim> &cell) {
-      const double rate = cell.strain_rate(), pressure = cell.confining_pressure();
       const FluidLaw &law = snapshot.law(c);
+      const double rate = cell.strain_rate(), pressure = cell.confining_pressure(law, snapshot.gravity);
       if (!law.may_be_ill_posed() || !snapshot.cloud.is_own(cells[c]) || pressure == 0. ||
           !law.is_yielded(rate, pressure))
         return;

@@ -21,12 +21,11 @@ namespace Lahar
 
 
   template <int dim>
-  void SlidingFriction<dim>::start_step(const std::vector<SlidingContact<dim>> &found,
-                                        const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
-                                        const Materials &materials, const double time_step,
+  void SlidingFriction<dim>::start_step(const std::vector<SlidingContact<dim>> &found, const Start &start,
                                         const Numbering &numbering, const MPI_Comm &communicator)
   {
-    n_iterations = 0;
+    const auto &[mesh, cloud, materials, gravity, time_step] = start;
+    n_iterations                                             = 0;
     contacts.clear();
     std::map<unsigned int, const SlidingContact<dim> *> largest; // by vertex
     for (const SlidingContact<dim> &contact : found)
@@ -49,12 +48,16 @@ namespace Lahar
         state.excess_stress = std::max(cloud.reaction[particle] * contact.normal / contact.area, 0.) +
                               cloud.pressure[particle];
       contacts.push_back({contact, node, state, is_main, numbers::invalid_unsigned_int});
-      const bool is_fluid = cloud.kind[particle] == ParticleKind::fluid;
-      const FluidLaw &law = materials.law(is_fluid ? first_fluid(cloud.part[particle]) : 0);
-      contacts.back().at.stiffness =
-        inertia_factor * law.density() * h / time_step +
-        viscosity_factor * law.viscous_part(1. / time_step, std::max(-cloud.pressure[particle], 0.)).value /
-          h;
+      const bool is_fluid     = cloud.kind[particle] == ParticleKind::fluid;
+      const FluidLaw &law     = materials.law(is_fluid ? first_fluid(cloud.part[particle]) : 0);
+      SlidingContact<dim> &at = contacts.back().at;
+      at.stiffness            = inertia_factor * law.density() * h / time_step +
+                     viscosity_factor *
+                       law.viscous_part(1. / time_step, std::max(-cloud.pressure[particle], 0.)).value / h;
+      for (unsigned int fluid = 0; fluid < materials.n_fluids(); ++fluid)
+        at.pore_pressure = std::max(at.pore_pressure,
+                                    materials.law(fluid).pore_water().pressure(cloud.position[particle],
+                                                                               gravity));
     }
     is_any = Utilities::MPI::max(contacts.empty() ? 0U : 1U, communicator) == 1U;
   }

@@ -36,8 +36,9 @@ namespace Lahar
     fluid.start(*mesh, start.cloud, integration, start.gravity, impulsive);
     fluid.state.face_pressures = start.outlets.pressures(*mesh, start.cloud, end_time,
                                                          materials.largest_density() * start.gravity);
-    friction.start_step(start.sliding, *region_mesh, start.cloud, start.materials, start.time_step, numbering,
-                        communicator());
+    friction.start_step(start.sliding,
+                        {*region_mesh, start.cloud, start.materials, start.gravity, start.time_step},
+                        numbering, communicator());
     contact.number(system, numbering);
     friction.join(contact);
     step_state.start_step(constraints.size(), mesh->n_vertices(), floors(start.cloud));

@@ -307,6 +307,69 @@ void check_grains()
   check_pressure_columns<dim>(*sand);
 }
 
+/// Grains whose pores are full of water: up to a level above the cell, and up to one in it.
+template <int dim>
+void check_pore_water()
+{
+  for (const double level : {2., -0.1})
+  {
+    const auto with = [&](Entries entries) {
+      entries.insert(entries.end(), {{"Density", "1.3"},
+                                     {"Viscosity", "0.7"},
+                                     {"Pore water level", std::to_string(level)},
+                                     {"Pore water density", "0.6"}});
+      return entries;
+    };
+    const Entries grains = {{"Grain density", "2"}, {"Grain diameter", "0.2"}};
+    const auto soil =
+      make_law("Drucker-Prager",
+               with({{"Cohesion", "0.5"}, {"Friction angle", "35"}, {"Regularization parameter", "3"}}));
+    Entries sandy = with(grains);
+    sandy.push_back({"Regularization parameter", "3"});
+    const auto sand = make_law("mu(I)", sandy);
+    Entries creepy  = with(grains);
+    creepy.push_back({"Smallest strain rate", "0.1"});
+    const auto creep       = make_law("mu(I) Barker-Gray", creepy);
+    const auto term        = assembler(ViscousStress<dim>(ViscosityLinearization::newton));
+    const std::string name = level > 0. ? ", under water" : ", at the level of the water";
+    check_jacobian<dim>("viscous stress, Drucker-Prager, newton" + name, *soil, term, -5.);
+    check_jacobian<dim>("viscous stress, mu(I), newton" + name, *sand, term, -5.);
+    check_jacobian<dim>("viscous stress, Barker-Gray, newton" + name, *creep, term, -5.);
+
+    // At rest grains bear what they weigh above the water that they displace; in water alone nothing.
+    Random random;
+    double error = 0., in_water = 0., least = 1e10, most = 0.;
+    for (unsigned int sample = 0; sample < 20; ++sample)
+    {
+      Example<dim> example(random, *soil);
+      auto &state        = example.state;
+      const double g     = state.gravity.norm();
+      const auto p_water = [&](const Point<dim> &x) {
+        return 0.6 * std::max(level * g + state.gravity * x, 0.);
+      };
+      double P = 0.;
+      for (unsigned int I = 0; I <= dim; ++I)
+      {
+        const double of_grains = 0.7 * (5. * g + state.gravity * state.position[I]);
+        state.pressure[I]      = -of_grains - p_water(state.position[I]);
+        P += of_grains / (dim + 1);
+      }
+      error = std::max(error, std::abs(example.cell().confining_pressure() - P));
+      least = std::min(least, P);
+      for (unsigned int I = 0; I <= dim; ++I)
+      {
+        state.pressure[I] = -p_water(state.position[I]);
+        most              = std::max(most, p_water(state.position[I]));
+      }
+      in_water = std::max(in_water, example.cell().confining_pressure());
+    }
+    check(name_of<dim>() + " pressure between grains" + name, error, 1e-13);
+    check(name_of<dim>() + " pressure between grains" + name + ": water alone makes none", in_water, 1e-13);
+    check(name_of<dim>() + " pressure between grains" + name + ": ... though there is both",
+          least > 0.01 && most > 0.01);
+  }
+}
+
 /// A yield stress that is not regularised, with short and long steps of the multipliers.
 template <int dim>
 void check_exact()
@@ -382,6 +445,7 @@ void test()
   check_prescribed_pressure<dim>(*newtonian);
   check_primal_dual<dim, ViscousStress<dim>>("", *bingham);
   check_grains<dim>();
+  check_pore_water<dim>();
   check_exact<dim>();
   check_identities<dim>(*bingham);
   if (dim == 3)
@@ -390,6 +454,7 @@ void test()
   check_jacobians<dim>(*bingham, *newtonian);
   check_primal_dual<dim, ViscousStress<dim>>("", *bingham);
   check_grains<dim>();
+  check_pore_water<dim>();
   check_exact<dim>();
   Symmetry::set_rotational(false);
 }

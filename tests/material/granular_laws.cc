@@ -216,6 +216,22 @@ void test_barker_gray(const Grains &grains)
   check(name + ": friction has no jump", jump, 0.01);
 }
 
+/// Hydrostatic up to the level, a height against gravity, whatever gravity's direction is.
+void test_pore_water()
+{
+  const auto wet =
+    make_law("mu(I)", {{"Density", "1900"}, {"Pore water level", "-0.5"}, {"Pore water density", "1025"}});
+  const PoreWater &water = wet->pore_water();
+  const Tensor<1, 3> g({0.6 * 9.81, 0., -0.8 * 9.81});
+  const Point<3> deep(0.3, 7., -1.2), high(-2., 7., -1.2);
+  check("pore pressure below the level", water.pressure(deep, g) / (1025. * 9.81 * (-0.5 + 0.18 + 0.96)) - 1.,
+        1e-14);
+  check("... and its gradient", (water.gradient(deep, g) - 1025. * g).norm(), 0.);
+  check("no pore pressure above the level", water.pressure(high, g) + water.gradient(high, g).norm(), 0.);
+  check("no pore pressure without gravity", water.pressure(deep, Tensor<1, 3>()), 0.);
+  check("by default there is no water", !make_law("mu(I)", {})->pore_water().is_there() && water.is_there());
+}
+
 void test_refused()
 {
   check_refused({{"Drucker-Prager", "Friction angle", "-1"},
@@ -241,7 +257,18 @@ void test_refused()
                  {"mu(I) Barker-Gray", "Friction slope", "-1"},
                  {"mu(I) Barker-Gray", "Creep exponent", "0"},
                  {"mu(I) Barker-Gray", "Creep exponent", "2"},
-                 {"mu(I) Barker-Gray", "Smallest strain rate", "0"}});
+                 {"mu(I) Barker-Gray", "Smallest strain rate", "0"},
+                 {"mu(I)", "Pore water level", "deep"},
+                 {"mu(I)", "Pore water level", "inf"},
+                 {"mu(I) Barker-Gray", "Pore water level", "nan"},
+                 {"Drucker-Prager", "Pore water level", ""}});
+  for (const std::string name : {"Drucker-Prager", "mu(I)", "mu(I) Barker-Gray"})
+    for (const std::string density : {"0", "-1", "1500", "2000"})
+      check_throws<InputError>(
+        name + ": water of the density " + density + " in pores is refused",
+        {"'" + name + "/Pore water density'", "'" + density + "'", "Allowed"}, [&] {
+          make_law(name, {{"Density", "1500"}, {"Pore water level", "0.3"}, {"Pore water density", density}});
+        });
   check_throws<InputError>("Barker-Gray: a friction that is nowhere well-posed is refused",
                            {"'mu(I) Barker-Gray/Dynamic friction'", "'0.381'", "Allowed", "well-posed"}, [] {
                              make_law("mu(I) Barker-Gray", {{"Dynamic friction", "0.381"}});
@@ -256,6 +283,7 @@ int main()
     test_mu_of_i(grains);
     test_barker_gray(grains);
   }
+  test_pore_water();
   test_refused();
   return n_failed;
 }

@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from verification import Check, fluid_fronts, read_run, run_check, volume_changes
+from verification import Check, check_balance_of_momentum, fluid_fronts, read_run, run_check, volume_changes
 
 GRAVITY = 9.81
 names = ["layers", "surface_wave", "short_lock", "resumed"]
@@ -135,17 +135,7 @@ def check_heap(check):
 
 
 def check_momentum(check, name, run, tolerance):
-    """The momentum of all fluid is what weight and walls have given to it, and what remeshing and the solver have given by
-    changing its mass; the first step counts half. At impacts the mean forces are a part of a step late."""
-    step = run["Time step size (s)"].copy()
-    step[0] *= 0.5
-    mass = 1600. * run["mud volume (m^dim)"] + 1000. * run["water volume (m^dim)"]
-    for d, gravity in (("x", 0.), ("y", -GRAVITY)):
-        force = run[f"ground force {d} (N)"]
-        changes = sum(run[f"Momentum change by {cause} {d} (N s)"] for cause in ("solver", "remeshing"))
-        error = run[f"Momentum {d} (N s)"] - np.cumsum((mass * gravity - force) * step) - changes
-        check.below(f"{name}: error of the momentum {d}, root mean square over the impulse of the ground",
-                    np.sqrt(np.mean(error[1:]**2)) / np.sum(np.abs(force) * step), tolerance)
+    check_balance_of_momentum(check, name, run, {"mud": 1600., "water": 1000.}, ["ground"], tolerance)
 
 
 def check_slide(check):

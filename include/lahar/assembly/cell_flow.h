@@ -9,6 +9,7 @@
 
 #include <lahar/geometry/simplex_geometry.h>
 #include <lahar/geometry/symmetry.h>
+#include <lahar/material/fluid_law.h>
 
 #include <algorithm>
 #include <array>
@@ -36,9 +37,15 @@ namespace Lahar
   public:
     static constexpr unsigned int n_nodes = dim + 1;
 
-    /// @param x the corners, m. @param velocities, pressures of the @p vertices, m/s and Pa.
-    CellFlow(const SimplexCorners<dim> &x, const Simplex<dim> &vertices,
+    /// @param corners m. @param velocities, pressures of the @p vertices, m/s and Pa.
+    CellFlow(const SimplexCorners<dim> &corners, const Simplex<dim> &vertices,
              const std::vector<Tensor<1, dim>> &velocities, const std::vector<double> &pressures);
+
+    /// x_I, m.
+    const SimplexCorners<dim> &corners() const
+    {
+      return x;
+    }
 
     /// v_I, m/s.
     const std::array<Tensor<1, dim>, n_nodes> &velocity() const
@@ -114,10 +121,15 @@ namespace Lahar
       return sum;
     }
 
-    /// P = max(−p̄, 0), p̄ the mean pressure: what laws of fluids know of it.
-    double confining_pressure() const
+    /// P, Pa, what laws of fluids know of the pressure: −p̄ less the mean of p_w over the corners, or zero where that is
+    /// below zero. p̄ is the mean pressure, p_w that of the law's PoreWater under @p gravity (m/s²).
+    double confining_pressure(const FluidLaw &law, const Tensor<1, dim> &gravity) const
     {
-      return std::max(-mean_pressure(), 0.);
+      double sum = mean_pressure();
+      if (law.pore_water().is_there())
+        for (const Point<dim> &x_I : x)
+          sum += law.pore_water().pressure(x_I, gravity) / n_nodes;
+      return std::max(-sum, 0.);
     }
 
     Tensor<1, dim> pressure_gradient() const
@@ -190,6 +202,7 @@ namespace Lahar
       return (I == J && J == K ? 6. : (I == J || J == K || I == K ? 2. : 1.)) / 60.;
     }
 
+    SimplexCorners<dim> x;
     std::array<Tensor<1, dim>, n_nodes> v;
     std::array<double, n_nodes> p;
     std::array<Tensor<1, dim>, n_nodes> G;

@@ -176,16 +176,28 @@ namespace Lahar
       return r > 0. ? this->deviator() + Lambda_k / (2. * r) : this->deviator();
     }
 
+    /// P of the law, see CellFlow.
+    double confining_pressure() const
+    {
+      return P;
+    }
+
+    /// ∇p_w of the law's PoreWater at the corner @p J, Pa/m.
+    Tensor<1, dim> pore_pressure_gradient(const unsigned int J) const
+    {
+      return law().pore_water().gradient(this->corners()[J], g);
+    }
+
     /// (1 + λ) τ_y of the law.
     FluidLaw::Value yield_stress() const
     {
-      return law().structured_yield_stress(this->confining_pressure(), lambda);
+      return law().structured_yield_stress(P, lambda);
     }
 
     /// μ_eff of the law.
     FluidLaw::Value effective_viscosity() const
     {
-      return law().effective_viscosity(this->strain_rate(), this->confining_pressure(), lambda);
+      return law().effective_viscosity(this->strain_rate(), P, lambda);
     }
 
     /// ε̇ of plastic_rate().
@@ -221,6 +233,7 @@ namespace Lahar
     std::array<double, n_nodes> delta_L_hoop = {};
     std::array<Tensor<1, dim>, n_nodes> E;
     Tensor<1, dim> g;
+    double P;
     double tau_s, mu_s;
     Tensor<1, dim> pi;
     SymmetricTensor<2, dim> dual, Lambda_k;

@@ -49,6 +49,7 @@ namespace Lahar
    * The normal stress N is the reaction of the vertex over A. It follows the pressure, N = max(e − p, 0), and e comes
    * halfway to N + p in each of the first iterations of a step, so that friction is τ_c of the whole reaction, viscous
    * stress included. Later on it stays: where friction turns its own normal stress round it would go to and fro.
+   * Of N the grains bear what is above the pressure p_w of the water in their pores: τ_c is that of max(N − p_w, 0).
    */
   template <int dim>
   struct SlidingContact
@@ -58,8 +59,9 @@ namespace Lahar
     double area           = 0.;   ///< A, m² (m in the plane)
     Tensor<1, dim> normal;        ///< into the fluid
     Tensor<1, dim> wall_velocity; ///< mean of the step, m/s
-    double stiffness   = 0.;      ///< k, Pa s/m
-    unsigned int facet = 0;       ///< of the walls of the step
+    double stiffness     = 0.;    ///< k, Pa s/m
+    unsigned int facet   = 0;     ///< of the walls of the step
+    double pore_pressure = 0.;    ///< p_w at the start of the step, Pa
 
     /// At the mean @p velocity (m/s) and @p pressure (Pa, positive in tension).
     SlidingForce<dim> force(const Tensor<1, dim> &velocity, const double pressure,
@@ -73,7 +75,7 @@ namespace Lahar
 
     /**
      * All contacts of a mesh at the start of a step, by ascending vertices.
-     * Their stiffness is not set. @param laws by boundary.
+     * Their stiffness and pore pressure are not set. @param laws by boundary.
      */
     static std::vector<SlidingContact> find(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
                                             const WallStep<dim> &step,

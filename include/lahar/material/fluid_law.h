@@ -3,6 +3,7 @@
 #ifndef lahar_material_fluid_law_h
 #define lahar_material_fluid_law_h
 
+#include <lahar/material/pore_water.h>
 #include <lahar/material/thixotropy.h>
 #include <lahar/utilities/parameters.h>
 
@@ -20,8 +21,8 @@ namespace Lahar
    * primal–dual Newton scheme treats the plastic part in its own way (ViscosityLinearization::primal_dual).
    * With Thixotropy the plastic part is (1 + λ) τ_y f, λ the structure parameter; what a law tells of its yield stress is
    * that of fluid without structure.
-   * P ≥ 0 is the pressure of a cell where it is compressed, zero where it is in tension, see
-   * FluidCell::confining_pressure(). Most laws leave it out; in those of grains friction grows with it.
+   * P ≥ 0 is the pressure of a cell above that of its pore water where it is compressed, zero elsewhere, see
+   * CellFlow::confining_pressure(). Most laws leave it out; in those of grains friction grows with it.
    * In incompressible flow d' = d and γ̇ is Franci & Zhang's (2018, eq. 8) equivalent strain rate; taking the deviator
    * keeps the tangent symmetric where the discrete flow is not exactly divergence free.
    */
@@ -91,6 +92,12 @@ namespace Lahar
       return structure_law;
     }
 
+    /// The water between grains, of whose pressure P is free; by default there is none.
+    const PoreWater &pore_water() const
+    {
+      return water;
+    }
+
     /// (1 + λ) τ_y(P).
     Value structured_yield_stress(const double pressure, const double structure) const
     {
@@ -132,6 +139,7 @@ namespace Lahar
     static void declare_common_parameters(Parameters &prm);
 
     Thixotropy structure_law; ///< for a law that has its entries
+    PoreWater water;          ///< the same
 
   private:
     double rho                  = 1000.;

@@ -25,13 +25,23 @@ namespace Lahar
   class SlidingFriction
   {
   public:
+    /// The region at the start of a step.
+    struct Start
+    {
+      const FluidMesh<dim> &mesh;
+      const ParticleCloud<dim> &cloud;
+      const Materials &materials;
+      const Tensor<1, dim> &gravity; ///< m/s²
+      double time_step;              ///< s
+    };
+
     /**
-     * Begin a step of length @p time_step (s) with the @p contacts of the region's mesh. Multipliers and reactions are those of the particles; each contact's stiffness becomes 20 ρ h/Δt + 5 μ/h, h the
-     * particle's spacing and μ the viscous part at the strain rate 1/Δt: sliding that must stop then does so within few
-     * steps, whatever moves behind the vertex. Collective.
+     * Begin a step with the @p contacts of the region's mesh. Multipliers and reactions are those of the particles; each
+     * contact's stiffness becomes 20 ρ h/Δt + 5 μ/h, h the particle's spacing and μ the viscous part at the strain rate
+     * 1/Δt: sliding that must stop then does so within few steps, whatever moves behind the vertex. Its pore pressure is
+     * the largest one of all fluids, so that friction does not hold the water beside the grains either. Collective.
      */
-    void start_step(const std::vector<SlidingContact<dim>> &contacts, const FluidMesh<dim> &mesh,
-                    const ParticleCloud<dim> &cloud, const Materials &materials, const double time_step,
+    void start_step(const std::vector<SlidingContact<dim>> &contacts, const Start &start,
                     const Numbering &numbering, const MPI_Comm &communicator);
 
     /// Take part in the contacts with solids, once they are numbered.
