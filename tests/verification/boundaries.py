@@ -53,12 +53,13 @@ def check_friction(check):
                 1e-4)
     check.near("Coulomb: the floor holds it", force[-10:].mean() / (MASS * gravity[0]), 1., 1e-3)
 
-    # Grains whose lower part is full of water, on a level floor: the water's pressure below them makes no friction.
+    # Grains whose lower part is full of water, on a level floor: the water's pressure below them makes no friction, except at
+    # the block's ends, where the floor's is lower.
     soil = "Fluids/block/Drucker-Prager"
     time, v, force, weight = velocity("Coulomb", "Gravity=0, -9.81", "Fluids/block/Law=Drucker-Prager", f"{soil}/Viscosity=1e6",
                                       f"{soil}/Friction angle=0", f"{soil}/Pore water level=0.02", f"{soil}/Pore water density=600")
     effective = (DENSITY * HEIGHT - 600. * 0.02) / (DENSITY * HEIGHT)
-    check.below("Coulomb, pore water: velocity, over the one at the start", np.abs(v - (1. - 0.3 * 9.81 * effective * time)).max(), 2e-3)
+    check.below("Coulomb, pore water: velocity, over the one at the start", np.abs(v - (1. - 0.3 * 9.81 * effective * time)).max(), 1e-2)
     check.near("Coulomb, pore water: mean normal force, over the weight", -weight[settled].mean() / (MASS * 9.81), 1., 1e-3)
 
     time, v, *rest = velocity("Navier slip")
