@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-from verification import fluid_fronts, read_reference, read_run
+from verification import deposit, fluid_fronts, read_reference, read_run
 
 from figure_style import INK, WIDTH, plt, save, use_style
 from lahar_output import OutputError, read_pvd, read_vtu
@@ -218,29 +218,26 @@ def draw_lock_exchange(runs):
 
 
 def draw_submerged_column(runs):
-    """Grains that collapse under water, and their fronts in water and in air (doc/fluid-laws.md)."""
-    figure = plt.figure(figsize=(WIDTH, 3.6), layout="constrained")
+    """Grains that collapse under water, and how far the deposit comes in water and in air (doc/fluid-laws.md)."""
+    figure = plt.figure(figsize=(WIDTH, 3.2), layout="constrained")
     columns = figure.add_gridspec(1, 2, width_ratios=[1.3, 1.])
     rows = columns[0].subgridspec(3, 1)
     unit = 0.074
     snapshots = read_pvd(runs / "column_in_water" / "solution.pvd")
-    for row, wanted in enumerate((1., 2.5, 10.)):
+    for row, wanted in enumerate((1., 3., 8.)):
         axes = figure.add_subplot(rows[row])
         time = wanted * np.sqrt(unit / 9.81)
         mesh = read_vtu([path for t, path in snapshots if t < 1.001 * time][-1])
         axes.tripcolor(mesh.points[:, 0] / unit, mesh.points[:, 1] / unit, mesh.triangles, facecolors=1. - mesh.at_cells("fluid"),
                        cmap="Blues", vmin=-0.3, vmax=1.4, rasterized=True)
-        axes.triplot(mesh.points[:, 0] / unit, mesh.points[:, 1] / unit, mesh.triangles, color="white", linewidth=0.15)
         axes.set(ylabel="$y/H_0$", aspect="equal", xlim=(0., 6.), ylim=(0., 2.2))
         axes.text(0.97, 0.9, f"$t\\,(g/H_0)^{{1/2}}$ = {wanted:g}", transform=axes.transAxes, ha="right", va="top")
     axes.set(xlabel="$x/H_0$")
     axes = figure.add_subplot(columns[1])
-    time, fronts = fluid_fronts(runs / "column_in_water")
-    scale = np.sqrt(unit / 9.81)
-    in_air = read_run(runs / "column_in_air")
-    axes.plot(in_air["Time (s)"] / scale, in_air["front (m)"] / unit - 1., label="in air")
-    axes.plot(time / scale, fronts[:, 0, 1] / unit - 1., label="in water")
-    axes.set(xlabel="$t\\,(g/H_0)^{1/2}$", ylabel="run-out over the width", ylim=(0., None))
+    for name, fluid, label in (("column_in_air", None, "in air"), ("column_in_water", 0., "in water")):
+        time, way, *rest = deposit(runs / name, unit, fluid)
+        axes.plot(time / np.sqrt(unit / 9.81), way, "o-", markersize=3.5, label=label)
+    axes.set(xlabel="$t\\,(g/H_0)^{1/2}$", ylabel="run-out/$H_0$, deeper than 0.1 $H_0$", ylim=(0., None))
     axes.legend()
     return figure
 

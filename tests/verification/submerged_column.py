@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from verification import Check, check_balance_of_momentum, read_pvd, read_run, read_vtu, run_check, volume_changes
+from verification import Check, check_balance_of_momentum, deposit, read_run, run_check, volume_changes
 
 CASE, IN_AIR = "granular_column/submerged_column.prm", "granular_column/granular_column.prm"
 WIDTH, GRAVITY = 0.074, 9.81
@@ -43,35 +43,12 @@ def run_in_air(check, n, end):
         f"{grains}/Static friction=0.408", f"{grains}/Dynamic friction=0.69"), "column_in_air")
 
 
-def depths(path, fluid=None):
-    """The places and the mean depths of the grains in strips, over the width of the column."""
-    mesh = read_vtu(path)
-    a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
-    areas = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
-    if fluid is not None:
-        areas = areas * (mesh.at_cells("fluid") == fluid)
-    edges = np.arange(0., 6.05, 0.1)
-    areas, _ = np.histogram((a + b + c)[:, 0] / 3. / WIDTH, edges, weights=areas / WIDTH**2)
-    return edges, areas / 0.1
-
-
-def deposit(directory, fluid=None):
-    """By snapshot the time, the run-out over the width of what is deeper than 0.1 widths from the column on, and the part of
-    the grains beyond."""
-    rows = []
-    for time, path in read_pvd(directory / "solution.pvd"):
-        edges, depth = depths(path, fluid)
-        end = int(np.argmax(depth < 0.1))
-        rows.append((time / UNIT, edges[end] - 1., depth[end:].sum() / depth.sum(), depth[:5].mean()))
-    return np.array(rows).T
-
-
 def check_column(check, n, end):
-    air = deposit(run_in_air(check, n, end))
+    air = deposit(run_in_air(check, n, end), WIDTH)
     directory = keep(check.run(CASE, *settings(n), f"End time={end * UNIT:.6g}"), "column_in_water")
     statistics = read_run(directory)
-    water = deposit(directory, 0.)
-    half = [np.interp(0.5, way, time) for time, way, *rest in (air, water)]
+    water = deposit(directory, WIDTH, 0.)
+    half = [np.interp(0.5, way, time / UNIT) for time, way, *rest in (air, water)]
     print(f"  run-out {air[1, -1]:.3f} in air and {water[1, -1]:.3f} in water, 0.5 after {half[0]:.2f} and {half[1]:.2f}; "
           f"beyond {water[2, -1]:.3f} of the grains; {statistics['Nonlinear iterations'].sum():.0f} iterations in "
           f"{len(statistics['Time (s)'])} steps; depth of the middle over that in air {water[3, -1] / air[3, -1]:.3f}")
@@ -109,7 +86,7 @@ def check_resumed(check):
 def check_ranks(check):
     n_ranks, runs = check.n_ranks, []
     for check.n_ranks in (1, n_ranks):
-        runs.append(read_run(check.run(CASE, *SHORT, "End time=0.08", "Nonlinear solver/Tolerance=1e-9")))
+        runs.append(read_run(check.run(CASE, *SHORT, "End time=0.04", "Nonlinear solver/Tolerance=1e-9")))
     compare(check, f"{n_ranks} ranks", runs, 1e-6)
 
 

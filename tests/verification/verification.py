@@ -133,6 +133,24 @@ def check_balance_of_momentum(check, name, run, densities, boundaries, tolerance
                     np.sqrt(np.mean(error[1:]**2)) / np.sum(np.abs(force) * step), tolerance)
 
 
+def deposit(directory, width, fluid=None):
+    """By snapshot of a column of grains @p width wide at the start, from x = 0: the time; the run-out over the width of what is
+    deeper than 0.1 widths from the column on, in strips of 0.1 widths; the part of the grains beyond; the depth of the middle
+    over the width. Where there are several fluids the grains are the one of the number @p fluid."""
+    rows = []
+    for time, path in read_pvd(directory / "solution.pvd"):
+        mesh = read_vtu(path)
+        a, b, c = (mesh.points[mesh.triangles[:, k]] / width for k in range(3))
+        areas = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+        if fluid is not None:
+            areas = areas * (mesh.at_cells("fluid") == fluid)
+        edges = np.arange(0., (a + b + c)[:, 0].max() / 3. + 0.3, 0.1)
+        depth = np.histogram((a + b + c)[:, 0] / 3., edges, weights=areas)[0] / 0.1
+        end = int(np.argmax(depth < 0.1))
+        rows.append((time, edges[end] - 1., depth[end:].sum() / depth.sum(), depth[:5].mean()))
+    return np.array(rows).T
+
+
 def last_mesh(directory):
     return read_vtu(read_pvd(directory / "solution.pvd")[-1][1])
 
