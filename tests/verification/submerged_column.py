@@ -61,8 +61,10 @@ def check_column(check, n, end):
     for fluid in ("grains", "water"):
         change = sum(statistics[f"{fluid} volume change by {cause}"] for cause in ("solver", "remeshing"))
         check.below(f"volume change of {fluid}", np.abs(change).max(), 5e-3)
-    check_balance_of_momentum(check, "column in water", statistics, {"grains": 2370., "water": 1000.},
-                              ["floor", "plane of symmetry", "far wall"], 5e-3)
+    # Until pieces of the front tear off.
+    whole = statistics["Time (s)"] < 3.5 * UNIT
+    check_balance_of_momentum(check, "column in water", {name: values[whole] for name, values in statistics.items()},
+                              {"grains": 2370., "water": 1000.}, ["floor", "plane of symmetry", "far wall"], 5e-3)
     check.below("steps repeated", statistics["Rejected steps"][-1], 0)
 
 
@@ -86,7 +88,7 @@ def check_resumed(check):
 def check_ranks(check):
     n_ranks, runs = check.n_ranks, []
     for check.n_ranks in (1, n_ranks):
-        runs.append(read_run(check.run(CASE, *SHORT, "End time=0.04", "Nonlinear solver/Tolerance=1e-9")))
+        runs.append(read_run(check.run(CASE, *SHORT, "End time=0.024", "Nonlinear solver/Tolerance=1e-9")))
     compare(check, f"{n_ranks} ranks", runs, 1e-6)
 
 
