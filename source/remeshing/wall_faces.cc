@@ -11,7 +11,7 @@ namespace Lahar
     /// Particles in contact lie this times their spacing off a plane at most.
     constexpr double plane = 1e-6;
 
-    /// Whether it is the number of a facet, and a particle lies in its plane; those of solids may be behind those of @p walls.
+    /// Whether it is the number of a facet in whose plane the particle lies; those of solids may be behind @p walls.
     template <int dim>
     bool is_in_plane(const int facet, const unsigned int particle, const ParticleCloud<dim> &cloud,
                      const Walls<dim> &walls)
