@@ -73,33 +73,30 @@ namespace Lahar
 
   template <int dim>
   bool WallContact<dim>::goes_on(const int from, const unsigned int to, const int side,
-                                 const Point<dim> &position) const
+                                 const Sides &side_on) const
   {
     return from != ParticleCloud<dim>::no_facet &&
-           side_of(from, position) * side * (walls.normal(from) * walls.normal(to)) > smooth_joint;
+           side_on(from) * side * (walls.normal(from) * walls.normal(to)) > smooth_joint;
   }
 
 
 
   template <int dim>
-  bool WallContact<dim>::comes_over_bulge(const std::array<int, dim> &slots, const unsigned int to,
-                                          const int side, const Point<dim> &position) const
+  bool WallContact<dim>::comes_over_bulge(const int from, const unsigned int to, const int side,
+                                          const Sides &side_on) const
   {
-    if (step.deforms(to))
+    if (step.deforms(to) || !goes_on(from, to, -side, side_on))
       return false;
     Point<dim> middle;
     for (const Point<dim> &corner : walls.facets()[to].corners)
       middle += corner / dim;
-    return std::any_of(slots.begin(), slots.end(), [&](const int from) {
-      return goes_on(from, to, -side, position) &&
-             side_of(from, position) * walls.signed_distance(from, middle) < 0.;
-    });
+    return side_on(from) * walls.signed_distance(from, middle) < 0.;
   }
 
 
 
   template <int dim>
-  void WallContact<dim>::attach_near(const unsigned int particle, const double distance,
+  void WallContact<dim>::attach_near(const unsigned int particle, const double distance, const Sides &side_on,
                                      const std::function<bool(const unsigned int, const int)> &meets,
                                      ParticleCloud<dim> &cloud) const
   {
@@ -111,12 +108,13 @@ namespace Lahar
           !walls.is_hidden(facet, position))
       {
         int side = side_of(facet, position);
-        if (comes_over_bulge(slots, facet, side, position))
+        if (std::any_of(slots.begin(), slots.end(),
+                        [&](const int from) { return comes_over_bulge(from, facet, side, side_on); }))
           side = -side;
         if (separates(facet) && !meets(facet, side))
           continue;
         if (std::none_of(slots.begin(), slots.end(),
-                         [&](const int from) { return goes_on(from, facet, side, position); }))
+                         [&](const int from) { return goes_on(from, facet, side, side_on); }))
           attach(particle, facet, side, cloud);
       }
   }
@@ -129,7 +127,8 @@ namespace Lahar
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
         attach_near(
-          i, 1e-3 * cloud.spacing[i], [](const unsigned int, const int) { return true; }, cloud);
+          i, 1e-3 * cloud.spacing[i], [&](const int facet) { return side_of(facet, cloud.position[i]); },
+          [](const unsigned int, const int) { return true; }, cloud);
   }
 
 
@@ -153,6 +152,12 @@ namespace Lahar
       std::sort(slots.begin(), slots.end(), std::greater<int>());
       put_on_solids(i, old_position[i], cloud);
 
+      // It may have been moved through what it was in contact with since.
+      const Sides side_on = [&](const int facet) {
+        return std::find(before.begin(), before.end(), facet) != before.end()
+                 ? side_at_start(facet, old_position[i])
+                 : side_of(facet, cloud.position[i]);
+      };
       // The first facet on its way stops it there; from then on it may meet others.
       std::vector<unsigned int> met;
       for (bool any = true; any;)
@@ -177,15 +182,16 @@ namespace Lahar
           break;
         met.push_back(next);
         int side = side_at_start(next, old_position[i]);
-        if (comes_over_bulge(before, next, side, cloud.position[i]))
-          side = -side;
         // Beyond a bulge the facets that it comes from are above it.
+        const unsigned int n_met = met.size();
         for (const int from : before)
-          if (goes_on(from, next, side, cloud.position[i]))
+          if (comes_over_bulge(from, next, side, side_on))
             met.push_back(from);
+        if (met.size() > n_met)
+          side = -side;
         // Along a smooth surface it leaves the facet behind for the one that it comes to.
         for (int &from : slots)
-          if (goes_on(from, next, side, cloud.position[i]))
+          if (goes_on(from, next, side, side_on))
             from = ParticleCloud<dim>::no_facet;
         std::sort(slots.begin(), slots.end(), std::greater<int>());
         attach(i, next, side, cloud);
@@ -194,12 +200,12 @@ namespace Lahar
       const auto meets = [&](const unsigned int facet, const int side) {
         const Tensor<1, dim> &normal = walls.normal(facet);
         return std::any_of(before.begin(), before.end(),
-                           [&](const int from) { return goes_on(from, facet, side, cloud.position[i]); }) ||
+                           [&](const int from) { return goes_on(from, facet, side, side_on); }) ||
                side * (normal * (cloud.velocity[i] -
                                  step.velocity_at_end(walls.facets()[facet].boundary, cloud.position[i]))) <
                  0.;
       };
-      attach_near(i, contact_distance * h, meets, cloud);
+      attach_near(i, contact_distance * h, side_on, meets, cloud);
     }
   }
 

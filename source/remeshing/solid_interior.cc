@@ -46,12 +46,14 @@ namespace Lahar
   bool SolidInterior<dim>::holds_edge_of(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud) const
   {
     for (unsigned int a = 0; a <= dim; ++a)
-      for (unsigned int b = 0; b < a; ++b)
-        if (cloud.kind[simplex[a]] == ParticleKind::solid && cloud.kind[simplex[b]] == ParticleKind::solid)
+      for (unsigned int b = 0; b <= dim; ++b)
+        if (const bool to_fluid = cloud.kind[simplex[b]] == ParticleKind::fluid;
+            cloud.kind[simplex[a]] == ParticleKind::solid &&
+            (to_fluid || (cloud.kind[simplex[b]] == ParticleKind::solid && b < a)))
         {
           const Tensor<1, dim> along     = cloud.position[simplex[b]] - cloud.position[simplex[a]];
           const Tensor<1, dim> direction = along / along.norm();
-          if (is_inward(simplex[a], direction) && is_inward(simplex[b], -direction))
+          if (is_inward(simplex[a], direction) && (to_fluid || is_inward(simplex[b], -direction)))
             return true;
         }
     return false;

@@ -146,6 +146,36 @@ void test_bulge()
       check("and goes on along the next", cloud.contact_facets[0][0] == 1);
     }
   }
+  for (const double rise : {0., 0.3}) // a plane of two pieces, and a hollow
+  {
+    // Something pushes it below its piece, before and beyond the joint: it comes back on top, whatever rounding says of the
+    // planes, in any direction.
+    bool on_top = true;
+    for (double angle = 0.; angle < 6.; angle += 0.1)
+      for (const Point<2> &pushed_to :
+           {Point<2>(0.7, -0.02), Point<2>(0.995, -0.005), Point<2>(1.02, -0.005)})
+      {
+        const auto turned = [angle](const Point<2> &p) {
+          return Point<2>(std::cos(angle) * p[0] - std::sin(angle) * p[1],
+                          std::sin(angle) * p[0] + std::cos(angle) * p[1]);
+        };
+        const Walls<2> walls(
+          {line(turned({0., 0.}), turned(joint), false), line(turned(joint), turned({2., rise}), false)});
+        const WallStep<2> standing(walls);
+        const WallContact<2> contact(standing);
+        ParticleCloud<2> cloud;
+        cloud.append(turned({0.99, contact_offset * h}), ParticleKind::fluid, h);
+        cloud.contact_facets[0][0] = 0;
+        const auto old_position    = cloud.position;
+        cloud.position[0]          = turned(pushed_to);
+        contact.update(old_position, cloud);
+        const Point<2> &p = cloud.position[0];
+        const double x    = std::cos(angle) * p[0] + std::sin(angle) * p[1],
+                     y    = std::cos(angle) * p[1] - std::sin(angle) * p[0];
+        on_top            = on_top && y > rise * std::max(x - 1., 0.) && cloud.in_contact(0);
+      }
+    check("pushed through its piece it comes back on top", on_top);
+  }
   {
     // A wedge whose back the particle does not see.
     const Walls<2> walls({line({0., 0.}, joint, false), line(joint, {0., -0.01}, false)});

@@ -90,9 +90,13 @@ void test_foot()
         inside.holds_edge_of({{box(0, 2, 1), box(2, 2, 1), box(2, 3, 1), fluid}}, cloud));
   check("no cell at the front is inside",
         !inside.holds_edge_of({{front, box(2, 3, 1), box(2, 2, 0), fluid}}, cloud));
-  check("no cell over a rim is inside",
-        !inside.holds_edge_of({{box(2, 2, 0), foot, beside, fluid}}, cloud) &&
-          !inside.holds_edge_of({{box(0, 0, 3), box(2, 0, 3), box(2, 1, 3), fluid}}, cloud));
+  check("no cell over a rim is inside", !inside.holds_edge_of({{box(2, 2, 0), foot, beside, fluid}}, cloud));
+  cloud.position[fluid] = on_slope(-0.3 * h, 2.1 * h, 2.3 * h);
+  check("inside: from the front over the crest",
+        inside.holds_edge_of({{box(2, 2, 2), box(2, 2, 3), box(2, 3, 3), fluid}}, cloud));
+  check("no cell on top is inside",
+        !inside.holds_edge_of({{box(2, 2, 3), box(1, 2, 3), box(2, 3, 3), fluid}}, cloud));
+  cloud.position[fluid] = on_slope(0.2 * h, 2.1 * h, -0.06 * h);
 
   // Fluid along the front, its lowest layer a little below the foot.
   for (int layer = 0; layer < 3; ++layer)

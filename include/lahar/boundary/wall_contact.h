@@ -8,7 +8,6 @@
 #include <lahar/linear/node_constraint.h>
 #include <lahar/particles/particle_cloud.h>
 
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -60,19 +59,21 @@ namespace Lahar
     void attach(const unsigned int particle, const unsigned int facet, const int side,
                 ParticleCloud<dim> &cloud) const;
 
+    /// By facet that a particle is or was in contact with, the side of it on which it is: 1 or −1.
+    using Sides = std::function<int(const int)>;
+
     /// Put a fluid particle in contact with all facets nearer than @p distance (m) that it sees, on the side where it is.
     /// What separates counts if @p meets says so of facet and side.
-    void attach_near(const unsigned int particle, const double distance,
+    void attach_near(const unsigned int particle, const double distance, const Sides &side_on,
                      const std::function<bool(const unsigned int, const int)> &meets,
                      ParticleCloud<dim> &cloud) const;
 
     /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
-    bool goes_on(const int from, const unsigned int to, const int side, const Point<dim> &position) const;
+    bool goes_on(const int from, const unsigned int to, const int side, const Sides &side_on) const;
 
-    /// Whether a particle on a facet of @p slots, which is on that @p side of facet @p to, comes to the other side of it
-    /// over a bulge: there the two go on smoothly, and @p to lies behind the plane of the one that it is on.
-    bool comes_over_bulge(const std::array<int, dim> &slots, const unsigned int to, const int side,
-                          const Point<dim> &position) const;
+    /// Whether a particle on facet @p from, which may be none, and on that @p side of facet @p to comes to the other side of
+    /// @p to over a bulge: there the two go on smoothly, and @p to lies behind the plane of @p from.
+    bool comes_over_bulge(const int from, const unsigned int to, const int side, const Sides &side_on) const;
 
     /// Put a particle back on its facets where some are those of solids: the velocities are within the tolerance of the
     /// nonlinear iteration, which may be more than the particle is off a facet.

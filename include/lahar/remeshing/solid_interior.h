@@ -17,10 +17,11 @@ namespace Lahar
    * simplex may reach from the fluid around the rim and lie inside the solid, though none of its edges passes through a
    * facet.
    *
-   * An edge between two nodes of contours is inside if at both ends it leads behind all facets there, by more than
-   * chords of a bent face do: with the outward normals n of the facets at a, and d the unit vector from a to b,
-   * max n·d < −0.2, and the same at b with −d. Where the contour is convex this is the inside at a node, and a part of
-   * it where it is not.
+   * An edge leads into a solid at a node if it goes behind all facets there, by more than chords of a bent face do: with
+   * the outward normals n of the facets at a, and d the unit vector from a to b, max n·d < −0.2. Where the contour is
+   * convex this is the inside at a node, and a part of it where it is not. An edge between two nodes of contours is
+   * inside if it leads inwards at both ends; one to a particle of the fluid, as from a front over its crest, if it does
+   * at the node.
    */
   template <int dim>
   class SolidInterior
