@@ -90,7 +90,7 @@ set Mesh size        = 0.02
     walls("-0.2, -0.2, 0 : 0.3, -0.2, 0 : 0.3, 0.3, 0 : -0.2, 0.3, 0") + """
 subsection Postprocess
   subsection Point gauges
-    set Points = middle: 0.05, 0.05, 0.075; foot: 0.01, 0.09, 0.003; dry: 0.2, 0.2, 0.2
+    set Points = middle: 0.035, 0.06, 0.075; foot: 0.01, 0.09, 0.003; dry: 0.2, 0.2, 0.2
   end
   subsection Wall forces
     set Boxes = floor: -0.2, -0.2, -0.001 : 0.3, 0.3, 0.001
