@@ -206,13 +206,15 @@ def draw_depths(grid, ground, chosen, solids, path):
 
 
 def draw_summary(grid, ground, rasters, solid, path):
-    """The rasters, each in a scale of its own."""
+    """The rasters, each in a scale of its own, which a single cell in 200 may exceed."""
     figure, axes = ground.figure(len(rasters), 3)
     for axis, (name, values) in zip(axes.flat, rasters.items()):
         label, factor, colours = SUMMARY[name]
         ground.draw(axis, solid)
-        image = axis.imshow(factor * values, origin="lower", extent=grid.extent(), cmap=colours, alpha=0.85)
-        figure.colorbar(image, ax=axis, label=label, shrink=0.8)
+        known = values[np.isfinite(values)]
+        most = factor * np.percentile(known, 99.5) if known.size else None
+        image = axis.imshow(factor * values, origin="lower", extent=grid.extent(), cmap=colours, alpha=0.85, vmax=most)
+        figure.colorbar(image, ax=axis, label=label, shrink=0.8, extend="max")
     save(figure, path)
 
 
