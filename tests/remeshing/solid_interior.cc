@@ -126,14 +126,14 @@ void test_foot()
 
 void test_bend()
 {
-  // A plate bent by 8 degrees from node to node: fluid lies on its hollow side over two of them.
+  // A plate bent by 8 degrees from node to node: fluid lies on its bulging side over two of them.
   const double radius = 0.7;
   const Contour plate({{6, 6, 1}}, [radius](const std::array<int, 3> &i) {
     const double angle = 8. * numbers::PI / 180. * i[0], r = radius + 0.5 * h * i[2];
     return Point<3>(r * std::sin(angle), h * i[1], r * std::cos(angle));
   });
   ParticleCloud<3> cloud   = plate.cloud;
-  const unsigned int fluid = cloud.append({0.3, 0.25, 0.}, ParticleKind::fluid, h);
+  const unsigned int fluid = cloud.append({0.22, 0.25, 0.77}, ParticleKind::fluid, h);
   const SolidInterior<3> inside(plate.facets, cloud);
   check("a chord of a bulging face is not inside",
         !inside.holds_edge_of({{plate(1, 2, 1), plate(3, 2, 1), plate(2, 3, 1), fluid}}, cloud));
