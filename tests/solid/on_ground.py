@@ -59,7 +59,8 @@ set Gravity           = 0, 0, -9.81
                                      "Outline = 2, 2 : 4.5, 2 : 4.5, 6 : 2, 6") + "set Initial velocity = 4; 0; -2\n" +
                      "set Law = Bingham\n" + section("Bingham", "set Density = 1800", "set Plastic viscosity = 100",
                                                      "set Yield stress = 200")}) + \
-    parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")})
+    parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")}) + \
+    section("Linear solver", section("Iterative", "set Tolerance = 1e-8"))
 
 
 def run(directory, *arguments, n_ranks=1):
