@@ -60,6 +60,7 @@ set Gravity           = 0, 0, -9.81
                      "set Law = Bingham\n" + section("Bingham", "set Density = 1800", "set Plastic viscosity = 100",
                                                      "set Yield stress = 200")}) + \
     parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")}) + \
+    section("Nonlinear solver", "set Tolerance = 2e-5") + \
     section("Linear solver", section("Iterative", "set Tolerance = 1e-8"))
 
 
