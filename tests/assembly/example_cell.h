@@ -3,6 +3,10 @@
 #ifndef lahar_tests_assembly_example_cell_h
 #define lahar_tests_assembly_example_cell_h
 
+#include <deal.II/base/utilities.h>
+
+#include <lahar/geometry/symmetry.h>
+
 #include "assembly/one_cell.h"
 
 namespace Tests
@@ -120,6 +124,32 @@ namespace Tests
                        error[1][1] / size[1][1]});
     }
   };
+
+  /// How checks call the case.
+  template <int dim>
+  std::string name_of()
+  {
+    return Symmetry::applies<dim>() ? "ring" : Utilities::int_to_string(dim) + "D";
+  }
+
+  /// The Jacobian of twenty examples against central differences, relative to the largest entry of the block.
+  template <int dim, typename Assemble>
+  void check_jacobian(const std::string &name, const FluidLaw &law, const Assemble &assemble,
+                      const double mean_pressure = 0.)
+  {
+    Random random;
+    double error = 0.;
+    for (unsigned int sample = 0; sample < 20; ++sample)
+      error = std::max(error, Example<dim>(random, law, sample % 2, mean_pressure).jacobian_error(assemble));
+    check(name_of<dim>() + " Jacobian: " + name, error, 1e-6);
+  }
+
+  /// Assembles a term, as Example wants it.
+  template <typename Term>
+  auto assembler(const Term &term)
+  {
+    return [term](const auto &cell, auto &system) { term.assemble(cell, system); };
+  }
 } // namespace Tests
 
 #endif
