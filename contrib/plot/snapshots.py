@@ -155,11 +155,11 @@ def draw_solids(axes, mesh):
     draw_outline(axes, mesh)
 
 
-def draw_walls(axes, walls, mesh):
-    """Lines; closed ones are filled unless the fluid of @p mesh is inside."""
-    centres = mesh.points[mesh.triangles].mean(axis=1)
+def draw_walls(axes, walls, meshes):
+    """Lines; closed ones are filled unless fluid is inside in all of @p meshes: a body that moves has fluid behind it."""
+    centres = [mesh.points[mesh.triangles].mean(axis=1) for mesh in meshes]
     for wall in walls:
-        if wall.is_closed and not Path(wall.corners).contains_points(centres).any():
+        if wall.is_closed and not all(Path(wall.corners).contains_points(points).any() for points in centres):
             axes.fill(*wall.corners.T, facecolor="0.45", edgecolor=INK, linewidth=1.2)
         else:
             axes.plot(*wall.corners.T, color=INK, linewidth=1.8, solid_capstyle="butt", solid_joinstyle="miter")
@@ -176,7 +176,7 @@ def draw_panel(axes, mesh, solids, walls, first_mesh, field, norm):
     draw_outline(axes, mesh)
     if solids:
         draw_solids(axes, solids)
-    draw_walls(axes, walls, first_mesh)
+    draw_walls(axes, walls, (first_mesh, mesh))
     return has_unyielded
 
 

@@ -23,7 +23,7 @@ namespace Lahar
     }
 
     void parse_parameters(Parameters &prm) override;
-    void initialize(const Solids<dim> &solids) override;
+    void initialize(const Snapshot<dim> &start) override;
     void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const override;
 
   private:
@@ -52,8 +52,9 @@ namespace Lahar
 
 
   template <int dim>
-  void SolidPoints<dim>::initialize(const Solids<dim> &solids)
+  void SolidPoints<dim>::initialize(const Snapshot<dim> &start)
   {
+    const Solids<dim> &solids = start.solids;
     // A thousandth of a cell outside is rounding.
     constexpr double tolerance = 1e-3;
     for (MaterialPoint &point : points)

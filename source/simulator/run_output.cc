@@ -47,7 +47,7 @@ namespace Lahar
   void RunOutput<dim>::initialize(const Snapshot<dim> &snapshot)
   {
     for (const auto &postprocessor : postprocessors)
-      postprocessor->initialize(snapshot.solids);
+      postprocessor->initialize(snapshot);
     StatisticsTable line;
     time_means.start_step(1.);
     for (const auto &postprocessor : postprocessors)

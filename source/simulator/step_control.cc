@@ -39,6 +39,13 @@ namespace Lahar
 
 
 
+  double StepControl::stop(const double due, const double end) const
+  {
+    return due + rest_that_joins_a_step * usual > end ? end : due;
+  }
+
+
+
   bool StepControl::halve(double &tried)
   {
     tried *= 0.5;

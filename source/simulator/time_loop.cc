@@ -4,8 +4,6 @@
 #include <lahar/utilities/failure.h>
 #include <lahar/utilities/stop_signal.h>
 
-#include <algorithm>
-
 namespace Lahar
 {
   template <int dim>
@@ -45,7 +43,7 @@ namespace Lahar
       {
         step(step_control->next(time,
                                 input.run.output_interval > 0.
-                                  ? std::min(output.next_time(), input.run.end_time)
+                                  ? step_control->stop(output.next_time(), input.run.end_time)
                                   : input.run.end_time,
                                 fastest_movement(), input.run.largest_movement));
       }

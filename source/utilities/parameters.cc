@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -164,7 +165,23 @@ namespace Lahar
                  ". Allowed: 'set Dimension = " + of_other_dimension.get("Dimension") + "' for it, or";
     else
     {
-      const std::string nearest = nearest_name(path, {here.begin(), here.end()});
+      constexpr std::size_t few = 12;
+      const std::string section = path.substr(0, path.rfind('/') + 1);
+      std::vector<std::string> beside;
+      std::copy_if(here.begin(), here.end(), std::back_inserter(beside), [&](const std::string &other) {
+        return !section.empty() && other.rfind(section, 0) == 0 &&
+               other.find('/', section.size()) == std::string::npos;
+      });
+      std::string nearest = nearest_name(path, beside);
+      if (nearest.empty() && !beside.empty() && beside.size() <= few)
+      {
+        message += ". Allowed in '" + section.substr(0, section.size() - 1) + "':";
+        for (const std::string &other : beside)
+          message += (other == beside.front() ? " '" : ", '") + other.substr(section.size()) + "'";
+        throw InputError(message + ".");
+      }
+      if (nearest.empty())
+        nearest = nearest_name(path, {here.begin(), here.end()});
       message += nearest.empty() ? ". Allowed:" : "; the nearest is '" + nearest + "'. Allowed:";
     }
     throw InputError(message + " what 'lahar --print-parameters prm' prints.");

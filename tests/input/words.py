@@ -95,6 +95,10 @@ def test_entries():
                           ("Solver/Type=direct", "Linear solver/Type")]:
         refused("--set " + text, GOOD, "--set: there is no entry '%s'" % text.split("=")[0],
                 "nearest is '" + nearest + "'", "Allowed", arguments=set_entry(text))
+    refused("another word for an entry", GOOD, "--set: there is no entry 'Fluids/fluid/box/Opposite vertices'. Allowed in "
+            "'Fluids/fluid/box': 'Corners'.", arguments=set_entry("Fluids/fluid/box/Opposite vertices=1"))
+    refused("an entry beside comes before one elsewhere", GOOD, "nearest is 'Fluids/fluid/box/Corners'",
+            arguments=set_entry("Fluids/fluid/box/Corner=1"))
     refused("nothing is near", GOOD, "there is no entry 'Xyz'. Allowed", arguments=set_entry("Xyz=1"))
     refused("a misspelt entry in the file", GOOD + "set mesh size = 1\n",
             after_good(1) + "there is no entry 'mesh size'", "'Mesh size'")

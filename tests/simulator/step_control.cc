@@ -47,6 +47,13 @@ int main()
     check("below the smallest length there is no further one", !control.halve(tried));
   }
   {
+    const StepControl control(0.1, 0.01, 0.1, 30);
+    check("steps stop where something is due", control.stop(0.5, 1.) - 0.5, 1e-15);
+    check("or at the end if that comes before", control.stop(1.5, 1.) - 1., 1e-15);
+    check("and where that comes right after", control.stop(1. - 1e-6, 1.) - 1., 1e-15);
+    check("but not where a step fits between", control.stop(0.998, 1.) - 0.998, 1e-15);
+  }
+  {
     StepControl control(0.1, 0.01, 0.35, 30);
     check("the first step has the usual length", control.next(0., 2., 1e-9, 2.) - 0.1, 1e-15);
     for (unsigned int i = 0; i < 3; ++i)

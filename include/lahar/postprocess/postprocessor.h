@@ -72,8 +72,8 @@ namespace Lahar
     /// Read the model's own subsection. Not called for a model without entries.
     virtual void parse_parameters(Parameters & /*prm*/) {}
 
-    /// Called once, when the solids have their mesh.
-    virtual void initialize(const Solids<dim> & /*solids*/) {}
+    /// Called once, when particles, walls and solids are where the run begins.
+    virtual void initialize(const Snapshot<dim> & /*start*/) {}
 
     /// Add this step's values to @p statistics, the same columns in every step.
     virtual void evaluate(const Snapshot<dim> &snapshot, TableHandler &statistics) const = 0;

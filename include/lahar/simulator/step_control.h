@@ -33,6 +33,10 @@ namespace Lahar
     double next(const double time, const double stop, const double fastest,
                 const double largest_movement) const;
 
+    /// Where steps stop, s: at @p due, or at @p end where that comes before or less than 1 % of a usual step later, so that
+    /// no tiny step is left.
+    double stop(const double due, const double end) const;
+
     /// A step of the length @p tried has failed: halve it. @return false if that is too short.
     bool halve(double &tried);
 
