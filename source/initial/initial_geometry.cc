@@ -86,8 +86,9 @@ namespace Lahar
     const auto tolerance = [h](const FluidBody<dim> &body) { return touching * h + body.roughness(); };
     const auto check     = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
       if (body.signed_distance(p) < -tolerance(body))
-        throw InputError("Fluid " + body.name() + " overlaps " + name + " at " + to_text(p) +
-                             " m. Fluid and walls may touch, not overlap.");
+        throw InputError(
+              "Fluid " + body.name() + " overlaps " + name + " at " + to_text(p) +
+              " m. Fluid and walls may touch, not overlap; fluid round a body has a 'Shape = mesh' with a hole.");
     };
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
