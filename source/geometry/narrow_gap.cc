@@ -15,6 +15,40 @@ namespace Lahar
     /// A facet is looked at in this many places along an edge at most.
     constexpr double max_places = 100.;
 
+    /// Over the width of a gap.
+    constexpr double pocket        = 10.;
+    constexpr unsigned int n_looks = 8;
+
+    /// Whether walls stand all round @p place along the gap of this @p width whose walls are normal to @p direction.
+    bool is_enclosed(const Walls<3> &walls, const Point<3> &place, const Tensor<1, 3> &direction,
+                     const double width)
+    {
+      unsigned int least = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(direction[d]) < std::abs(direction[least]))
+          least = d;
+      Tensor<1, 3> axis;
+      axis[least]               = 1.;
+      Tensor<1, 3> first        = cross_product_3d(direction, axis);
+      first                     = first / first.norm();
+      const Tensor<1, 3> second = cross_product_3d(direction, first);
+      for (unsigned int k = 0; k < n_looks; ++k)
+      {
+        // Not along the axes, in which edges of facets often lie.
+        const double angle     = (k + 0.31) * 2. * numbers::PI / n_looks;
+        const Tensor<1, 3> way = pocket * width * (std::cos(angle) * first + std::sin(angle) * second);
+        if (walls.crossed(place, place + way, 0., 0.).empty())
+          return false;
+      }
+      return true;
+    }
+
+    /// In the plane bodies are closed lines.
+    bool is_enclosed(const Walls<2> &, const Point<2> &, const Tensor<1, 2> &, const double)
+    {
+      return false;
+    }
+
     /// Points of a segment, less than h apart where that are not too many.
     std::vector<Point<2>> places_on(const std::array<Point<2>, 2> &corners, const double h)
     {
@@ -60,7 +94,8 @@ namespace Lahar
             const double cosine = direction * walls.normal(other);
             const double width  = std::abs(walls.signed_distance(other, p) / cosine);
             if (owners[other] != owners[f] && std::abs(cosine) > facing && width > closed * h(p) &&
-                (!narrowest || width < narrowest->ratio * h(p)) && !is_filled(p + 0.5 * width * direction))
+                (!narrowest || width < narrowest->ratio * h(p)) && !is_filled(p + 0.5 * width * direction) &&
+                !is_enclosed(walls, p + 0.5 * width * direction, direction, width))
               narrowest = NarrowGap{width, width / h(p), p + 0.5 * width * direction, owners[f],
                                     owners[other]};
           }

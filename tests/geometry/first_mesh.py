@@ -233,6 +233,16 @@ set Mesh size        = 0.02
     text = output("gap", "0, 0 : 0.2, 0.2", "0, 0.3 : 0, 0 : 0.6, 0 : 0.6, 0.3; "
                   "0.3, 0.3 : 0.3, 0.03 : 0.35, 0.03 : 0.35, 0.3")
     check("a narrow gap is reported", "the gap between boundary number" in text and "0.03 m, 1.5 mesh sizes" in text, text)
+    floor = "-0.2, -0.2, 0 : 0.6, -0.2, 0 : 0.6, 0.4, 0 : -0.2, 0.4, 0"
+    top = "; 0.3, 0, %g : 0.36, 0, %g : 0.36, 0.08, %g : 0.3, 0.08, %g" % (4 * (0.045,))
+    sides = "".join("; %g, %g, 0 : %g, %g, 0 : %g, %g, 0.045 : %g, %g, 0.045" % (a + b + b + a) for a, b in (
+        ((0.3, 0.), (0.36, 0.)), ((0.36, 0.), (0.36, 0.08)), ((0.36, 0.08), (0.3, 0.08)), ((0.3, 0.08), (0.3, 0.))))
+    for name, points, reported in (("table", floor + top, True), ("box", floor + top + sides, False),
+                                   ("box_open_on_one_side", floor + top + sides[:sides.rindex(";")], True)):
+        directory = new_case(parent, name, base + "set Dimension = 3\n" + fluid("0, 0, 0 : 0.1, 0.1, 0.1") + walls(points))
+        result = run(directory, "--check")
+        check("a %s on a floor: a gap is %sreported" % (name, "" if reported else "not "), result.returncode == 0 and
+              ("the gap between boundary number" in result.stdout) == reported, result.stdout, result.stderr)
     text = output("full", "0, 0 : 0.2, 0.2", "0, 0 : 0.2, 0; 0.2, 0 : 0.2, 0.2; 0.2, 0.2 : 0, 0.2; 0, 0.2 : 0, 0")
     check("fluid without a free surface is reported", "no free surface" in text, text)
     for degree, elements, reported in ((1, 2, True), (1, 4, False), (2, 1, False)):

@@ -15,7 +15,8 @@ namespace Lahar
 {
   /**
    * The narrowest gap between two walls, two solids or a wall and a solid, that has too few mesh sizes across for a flow:
-   * facets of different owners that face each other within 30°. A gap below 0.1 h is closed.
+   * facets of different owners that face each other within 30°. A gap below 0.1 h is closed. In space a gap that walls
+   * enclose within ten of its widths, in eight directions along it, is the inside of a body that they make.
    */
   template <int dim>
   struct NarrowGap
