@@ -87,8 +87,10 @@ namespace Lahar
               is_pushed[node] > 0. ||
               (constraints[node].n_fixed == dim && (constraints[node].moves || is_solid[node])))
           {
-            mean += velocities[node];
-            n += velocities[node].norm() > 0. ? 1 : 0; // at the rim of an inflow they are at rest
+            // What is pushed has not come down to its velocity yet.
+            const Tensor<1, dim> &velocity = is_pushed[node] > 0. ? least[node] : velocities[node];
+            mean += velocity;
+            n += velocity.norm() > 0. ? 1 : 0; // at the rim of an inflow they are at rest
           }
         for (const unsigned int v : mesh->cells()[c])
           if (const LocalNode node = numbering->node(Vertex(v)); constraints[node].n_fixed < dim)

@@ -100,7 +100,7 @@ namespace Lahar
       TimerOutput::Scope scope(timer, "Assemble");
       if (!true_on_all_ranks(assembler.assemble(*mesh, materials, fluid.state, linearization, system),
                              communicator()))
-        throw RunError("a simplex is inverted");
+        throw_inverted();
     }
     if (friction.any())
       friction.assemble(fluid_velocities(), fluid_pressures(), contact, system);
@@ -217,6 +217,25 @@ namespace Lahar
   void StepProblem<dim>::check_closed_parts() const
   {
     safeguards.check_closed_parts(fluid);
+  }
+
+
+
+  template <int dim>
+  void StepProblem<dim>::throw_inverted() const
+  {
+    double lowest = 0.;
+    Point<dim> place;
+    const std::vector<double> volumes = fluid.new_volumes();
+    for (unsigned int c = 0; c < volumes.size(); ++c)
+      if (!fluid.state.left_out[c] && !fluid.state.sliver[c] && volumes[c] < lowest)
+      {
+        lowest = volumes[c];
+        place  = centroid<dim>(corners_of<dim>(mesh->cells()[c], fluid.state.position));
+      }
+    std::ostringstream message;
+    message << "a simplex is inverted at (" << largest_of_all(-lowest, place, communicator()).second << ") m";
+    throw RunError(message.str());
   }
 
 

@@ -165,6 +165,15 @@ def check_space(check):
     check.below("tank in space: repeated steps", statistics["Rejected steps"][-1], 0.5)
 
 
+def check_flume(check):
+    """Flat cells at the inlet's upper edge, between its particles and fluid that is faster, stop nothing."""
+    statistics = read_run(check.run("inflow/flume_3d.prm"))
+    check_volume(check, "flume", statistics, 0.03 * statistics["Time (s)"])
+    error = np.abs(statistics["Fluid volume (m^dim)"] / (0.003 + 0.03 * statistics["Time (s)"]) - 1.)
+    check.below("flume: fluid volume against what was there and came in, largest", error.max(), 5e-3)
+    check.below("flume: repeated steps", statistics["Rejected steps"][-1], 0.5)
+
+
 def check_resumed(check):
     """The hydrograph's run in two parts, the second one from a checkpoint while fluid comes in."""
     short = ["End time=0.5", "Checkpoint/Steps between=10"]
@@ -204,6 +213,7 @@ def main():
         check_level(check)
         check_resumed_level(check)
         check_space(check)
+        check_flume(check)
         check_resumed(check)
     check.finish()
 

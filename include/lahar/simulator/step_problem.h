@@ -231,6 +231,8 @@ namespace Lahar
     /// Multipliers of the cells, and which cells belong to parts of the fluid that stand.
     void start_multipliers(const std::vector<SymmetricTensor<2, dim>> &multipliers);
     void start_iteration();
+    /// @throws RunError that names the place of the simplex that is inverted most. Collective.
+    [[noreturn]] void throw_inverted() const;
     /// The fluid has moved: the solids follow, and what lies between both.
     void move_solids(const IndexVector<LocalNode, Tensor<1, dim>> &velocities);
     /// Whether a cell counts on this rank, the one of its node with the smallest number.
