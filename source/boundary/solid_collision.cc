@@ -48,22 +48,27 @@ namespace Lahar
                             const std::vector<Point<dim>> &position, const WallStep<dim> &step)
   {
     const Walls<dim> &walls = step.end();
-    std::vector<WallFacet<dim>> facets;
+    std::vector<WallFacet<dim>> facets, drawn_facets;
     double size = 0.;
     for (const auto &nodes : mesh.contour())
     {
-      WallFacet<dim> facet;
+      WallFacet<dim> facet, drawn_facet;
       for (unsigned int v = 0; v < dim; ++v)
       {
-        facet.corners[v] = position[nodes[v]];
+        facet.corners[v]       = position[nodes[v]];
+        drawn_facet.corners[v] = mesh.reference_position(nodes[v]);
         size += mesh.reference_position(nodes[v]).distance(mesh.reference_position(nodes[(v + 1) % dim]));
       }
       facets.push_back(facet);
+      drawn_facets.push_back(drawn_facet);
     }
     if (facets.empty())
       return {};
-    const Walls<dim> contour(facets);
-    const double depth = tolerated_depth * size / (dim * facets.size());
+    const Walls<dim> contour(facets), drawn_contour(drawn_facets);
+    const double depth = tolerated_depth * size / (dim * facets.size()), touching = 0.1 * depth;
+    const auto reaches_now = [&](const unsigned int i, const unsigned int j, const unsigned int wall) {
+      return !walls.is_crossed(wall, {mesh.reference_position(i), mesh.reference_position(j)}, touching, 0.);
+    };
 
     for (unsigned int f = 0; f < facets.size(); ++f)
       for (unsigned int e = 0; e < n_edges<dim>; ++e)
@@ -72,7 +77,8 @@ namespace Lahar
         const Point<dim> &a = facets[f].corners[e], &b = facets[f].corners[(e + 1) % dim];
         const unsigned int i = mesh.body_of_node(nodes[0]);
         for (const unsigned int wall : walls.crossed(a, b, depth, 0.))
-          return Place{meeting(walls, wall, a, b), i, wall, 0};
+          if (reaches_now(nodes[e], nodes[(e + 1) % dim], wall))
+            return Place{meeting(walls, wall, a, b), i, wall, 0};
         for (const unsigned int other : contour.crossed(a, b, depth, 0.))
         {
           const auto &others = mesh.contour()[other];
@@ -93,7 +99,8 @@ namespace Lahar
         const Point<2> &a = position[i], &middle = position[next[i]], &b = position[next[next[i]]];
         if (cross_product_2d(b - a) * (middle - a) > -1e-3 * (b - a).norm_square()) // not in a hollow
           for (const unsigned int wall : walls.crossed(a, b, depth, 0.))
-            return Place{meeting(walls, wall, a, b), mesh.body_of_node(i), wall, 0};
+            if (reaches_now(i, next[next[i]], wall))
+              return Place{meeting(walls, wall, a, b), mesh.body_of_node(i), wall, 0};
       }
     }
     for (unsigned int wall = 0; wall < walls.facets().size(); ++wall)
@@ -102,7 +109,8 @@ namespace Lahar
         const auto &corners = walls.facets()[wall].corners;
         const Point<dim> &a = corners[e], &b = corners[(e + 1) % dim];
         for (const unsigned int f : contour.crossed(a, b, depth, -depth))
-          if (lies_on_both_sides<dim>(facets[f], walls, wall, depth))
+          if (!drawn_contour.is_crossed(f, {a, b}, touching, -touching) &&
+              lies_on_both_sides<dim>(facets[f], walls, wall, depth))
             return Place{meeting(contour, f, a, b), mesh.body_of_node(mesh.contour()[f][0]), wall, 0};
       }
     for (unsigned int i = 0; i < mesh.n_contour_nodes(); ++i)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test an elastic barrier that stands on rough ground in the way of a debris flow: its foot follows the ground and stays,
-its weight is that of the drawing, in space and in the plane, forces and momentum balance, volume is kept; a resumed run is
-the same bit for bit; ground that is not there is refused.
+its weight is that of the drawing, in space, on sharp ridges too, and in the plane; forces and momentum balance, volume is
+kept; a resumed run is the same bit for bit; ground that is not there is refused.
 
 Usage: on_ground.py LAHAR MPIEXEC
 """
@@ -38,8 +38,17 @@ def write_ground(directory):
             file.write(" ".join(f"{elevation(0.5 * column, 0.5 * row):.4f}" for column in range(25)) + "\n")
 
 
-def solid(corners, clamped, ground="ground"):
-    return shape("box", f"Corners = {corners}", "Elements = 1, 10, 4") + f"set Ground = {ground}\nset Clamped = {clamped}\n" + \
+def write_ridges(directory):
+    """Elevations in steps of a twentieth of their distance, as those of a map: sharp ridges along the cells' diagonals."""
+    steps = [[110, 110, 115, 120], [110, 111, 118, 120], [111, 115, 117, 120], [115, 116, 118, 121], [117, 118, 120, 122]]
+    with open(os.path.join(directory, "ridges.asc"), "w") as file:
+        file.write("ncols 4\nnrows 5\nxllcenter 0\nyllcenter 0\ncellsize 0.5\nNODATA_value -9999\n")
+        for row in steps:
+            file.write(" ".join(f"{0.05 * value:.2f}" for value in row) + "\n")
+
+
+def solid(corners, clamped, ground="ground", elements="1, 10, 4"):
+    return shape("box", f"Corners = {corners}", f"Elements = {elements}") + f"set Ground = {ground}\nset Clamped = {clamped}\n" + \
         "set Law = hypoelastic\n" + section("hypoelastic", f"set Density = {SOLID_DENSITY:g}", "set Young's modulus = 2e8",
                                             "set Poisson's ratio = 0.2")
 
@@ -125,13 +134,19 @@ set Mesh size        = 0.5
 """
     ground = parts("Boundaries", {"ground": shape("terrain", "File = ground.asc") + "set Law = no slip\n"})
     bed = parts("Boundaries", {"bed": shape("terrain", "File = profile.csv") + "set Law = no slip\n"})
+    # The ground's ridges pass through the barrier's sides a little above its foot.
+    ridges = ground.replace("ground.asc", "ridges.asc")
     for name, text, column, volume in [
             ("space", "set Dimension = 3\n" + head + ground +
              parts("Solids", {"barrier": solid("5, 1.5, 0 : 5.5, 6.5, 2", "0, 0, 0 : 12, 8, 0")}),
              "barrier support force z (N)", 0.5 * 5. * 2.),
+            ("ridges", ("set Dimension = 3\n" + head + ridges).replace("Mesh size        = 0.5", "Mesh size        = 0.25") +
+             parts("Solids", {"barrier": solid("0.5, 0.25, 0 : 0.8, 1.75, 0.6", "0, 0, 0 : 2, 2, 0", elements="1, 6, 2")}),
+             "barrier support force z (N)", 0.3 * 1.5 * 0.6),
             ("plane", head + bed + parts("Solids", {"wall": solid("6, 0 : 7, 2", "0, 0 : 12, 0", "bed").replace(
                 "1, 10, 4", "4, 6")}), "wall support force y (N)", 2.)]:
         directory = case(parent, "weight_" + name, text.replace("2e8", "2e10"))
+        write_ridges(directory)
         with open(os.path.join(directory, "profile.csv"), "w") as file:
             file.writelines(f"{0.4 * k}, {5. - 0.2 * k + 0.1 * math.sin(3. * k)}\n" for k in range(31))
         process = run(directory)

@@ -19,7 +19,8 @@ namespace Lahar
    * of one contour passes through a facet of the other that it shares no node with. Both ends of an edge or path must lie
    * more than a tenth of the facets' size off the facet, and a wall's edge must pass that far from the facet's rim,
    * whose corners lie that far before and behind the wall: solids may touch walls, and the edge of one that bends above a
-   * floor may dip into it a little.
+   * floor may dip into it a little. Where an edge passes through the facet as drawn already the two have not run into
+   * each other: the foot of a solid follows rough ground at its nodes only.
    */
   template <int dim>
   class SolidCollision
