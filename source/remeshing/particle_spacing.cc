@@ -6,6 +6,7 @@
 #include <lahar/particles/fluid_set.h>
 #include <lahar/remeshing/interface_faces.h>
 #include <lahar/remeshing/merged_place.h>
+#include <lahar/remeshing/owed_volume.h>
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/remeshing/wall_faces.h>
 #include <lahar/utilities/sort_in_buckets.h>
@@ -360,15 +361,10 @@ namespace Lahar
     // What a wall, a solid or a particle that goes owes is handed on to the first fluid particle next to it that stays,
     // else to a wall or solid.
     for (const bool to_fluid : {true, false})
-      for (const auto &[a, b] : edges)
-        for (const auto &[from, to] : {Edge(a, b), Edge(b, a)})
-          if ((removed[from] || (to_fluid && cloud.kind[from] != ParticleKind::fluid)) && !removed[to] &&
-              (cloud.kind[to] == ParticleKind::fluid || !to_fluid))
-          {
-            cloud.owed_volume[to] += cloud.owed_volume[from];
-            cloud.owed_volume[from] = 0.;
-          }
-    migration.update(cloud.owed_volume);
+      hand_on_owed_volume<dim>(edges, migration, cloud, [&](const unsigned int from, const unsigned int to) {
+        return (removed[from] || (to_fluid && cloud.kind[from] != ParticleKind::fluid)) && !removed[to] &&
+               (cloud.kind[to] == ParticleKind::fluid || !to_fluid);
+      });
 
     bool any = !inserted.empty() || std::find(removed.begin(), removed.end(), true) != removed.end();
     if (migration.is_alone() && !any)

@@ -125,12 +125,16 @@ namespace Lahar
 
   namespace
   {
-    /// The fluid particle at which a cell's volume is booked; its owner is the cell's.
+    /// The fluid particle at which a cell's volume is booked: as the cell's owner is that of its first one, whatever the
+    /// order of the corners is, the particle is this rank's own.
     template <int dim>
     unsigned int place_of(const Simplex<dim> &cell, const ParticleCloud<dim> &cloud)
     {
-      return *std::find_if(cell.begin(), cell.end(),
-                           [&](const unsigned int i) { return cloud.kind[i] == ParticleKind::fluid; });
+      unsigned int place = numbers::invalid_unsigned_int;
+      for (const unsigned int i : cell)
+        if (cloud.kind[i] == ParticleKind::fluid)
+          place = std::min(place, i);
+      return place;
     }
 
     /// By place the growth of this rank's own cells since they had the volumes @p before.
