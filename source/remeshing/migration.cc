@@ -150,7 +150,7 @@ namespace Lahar
 
   template <int dim>
   void Migration<dim>::migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                               const unsigned int n_shared, CellTable<dim> *values)
+                               const unsigned int n_shared, CellTable<dim> *values, const bool may_divide)
   {
     if (is_alone())
     {
@@ -158,7 +158,8 @@ namespace Lahar
       return;
     }
     region_distance = distance;
-    divide_space(cloud, mesh);
+    if (may_divide)
+      divide_space(cloud, mesh);
     find_boxes(cloud);
 
     const unsigned int rank = cloud.rank;

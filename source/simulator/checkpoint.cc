@@ -75,7 +75,8 @@ namespace Lahar
         archive >> migration;
     }
     region.reinit(std::move(pieces), solids, n_ranks);
-    migrate();
+    // The next step divides space as in a run without a break: with all cells of each rank's particles.
+    migrate(!content.same_ranks);
     if (has_multipliers())
       region.multipliers.follow(region.mesh, region.particles);
   }

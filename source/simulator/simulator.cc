@@ -93,10 +93,10 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::migrate()
+  void Simulator<dim>::migrate(const bool may_divide)
   {
     migration.migrate(region.particles, region.mesh, region_distance(), solids.mesh().n_contour_nodes(),
-                      has_multipliers() ? &region.multipliers.table() : nullptr);
+                      has_multipliers() ? &region.multipliers.table() : nullptr, may_divide);
   }
 
 

@@ -53,6 +53,11 @@ GAUGES = section("Postprocess", section("Point gauges", "set Points = inside: 0.
                  section("Fluid extents", "set Extents = left: min x, right: max x, front: min y, back: max y, top: max z"))
 
 
+def until(middle):
+    """The run's end, and a snapshot in the middle, with which mean forces begin anew, as at the end of a part."""
+    return f"set End time = {2. * middle:g}\nset Output interval = {middle:g}\n"
+
+
 def motion(kind, *settings):
     return f"set Motion = {kind}\n" + section(kind, *("set " + setting for setting in settings))
 
@@ -82,7 +87,7 @@ def box_case(law):
         "follower": wall(rectangle(0, 0.15, low, high), order[2]) + LAWS[order[2]] + motion("table", "File = way.csv"),
         "left": wall(rectangle(1, 0., low, high), order[3]) + LAWS[order[3]],
         "right": wall(rectangle(1, 0.12, low, high), order[4]) + LAWS[order[4]]}
-    return HEAD + f"set End time = {2. * MIDDLE:g}\nset Output interval = {MIDDLE:g}\n" + parts("Boundaries", boundaries) + \
+    return HEAD + until(MIDDLE) + parts("Boundaries", boundaries) + \
         parts("Fluids", {"mud": shape("box", "Corners = 0, 0, 0 : 0.15, 0.12, 0.09") + FLUID}) + GAUGES
 
 
@@ -96,7 +101,7 @@ def inflow_case():
         section("inflow", "set Discharge table = discharge.csv", "set Profile = 1 + 4 * y"),
         "outlet": wall(rectangle(0, 0.18, low, high), "outflow") +
         section("outflow", "set Direction = 1, 0, 0", "set Level = 0.09")}
-    return HEAD.replace("0.5, 0.3", "0, 0") + f"set End time = {2. * MIDDLE_OF_INFLOW:g}\nset Output interval = {MIDDLE_OF_INFLOW:g}\n" + parts("Boundaries", boundaries) + \
+    return HEAD.replace("0.5, 0.3", "0, 0") + until(MIDDLE_OF_INFLOW) + parts("Boundaries", boundaries) + \
         parts("Fluids", {"mud": shape("box", "Corners = 0, 0, 0 : 0.18, 0.12, 0.09") +
                          "set Initial velocity = 0.5; 0; 0\n" + FLUID}) + GAUGES
 

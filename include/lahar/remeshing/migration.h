@@ -47,9 +47,11 @@ namespace Lahar
      * @param distance by which a rank's region is wider than the box around its own particles, m.
      * @param n_shared particles come first in the cloud on all ranks and stay there.
      * @param values of cells that go with them, or none: afterwards this rank has those that the owners of its cells had.
+     * @param may_divide whether space may be divided anew: not where a rank does not know all cells of its particles yet,
+     *        which are their work.
      */
     void migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                 const unsigned int n_shared, CellTable<dim> *values = nullptr);
+                 const unsigned int n_shared, CellTable<dim> *values = nullptr, const bool may_divide = true);
 
     /// Keep of a cloud that all ranks have what belongs to this one.
     void distribute(ParticleCloud<dim> &cloud, const double distance, const unsigned int n_shared);

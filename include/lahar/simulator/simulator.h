@@ -95,7 +95,7 @@ namespace Lahar
     /// See Remesher::region_distance().
     double region_distance() const;
     /// Bring particles and mesh to where they belong.
-    void migrate();
+    void migrate(const bool may_divide = true);
     /// Sum over the ranks.
     unsigned int count_on_ranks(const unsigned int n) const;
     /// What the accounts look at.
