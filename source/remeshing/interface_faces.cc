@@ -38,6 +38,7 @@ namespace Lahar
         const Simplex<dim> &cell = mesh.particle_cells()[a.cell];
         for (unsigned int k = 0; k < dim; ++k)
           face.corners[k] = cell[(a.opposite + 1 + k) % (dim + 1)];
+        face.cells    = {{a.cell, b.cell}};
         face.opposite = {{cell[a.opposite], mesh.particle_cells()[b.cell][b.opposite]}};
         face.fluids   = fluid_set(a.fluid) | fluid_set(b.fluid);
         result.push_back(face);

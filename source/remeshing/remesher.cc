@@ -6,6 +6,7 @@
 #include <lahar/remeshing/local_delaunay.h>
 #include <lahar/remeshing/remesher.h>
 #include <lahar/remeshing/solid_interior.h>
+#include <lahar/remeshing/thin_films.h>
 #include <lahar/remeshing/wall_segments.h>
 #include <lahar/remeshing/wall_sides.h>
 
@@ -189,6 +190,9 @@ namespace Lahar
                                                        Migration<dim> &migration) const
   {
     Report report;
+    if constexpr (dim == 2)
+      if (n_fluids > 1)
+        tear_thin_films(migration, mesh, cloud);
     OldDomain<dim> old_domain(cloud, mesh);
     const auto outside = find_outside ? find_outside(cloud, mesh) : OutsideVolumes();
     const auto faces   = dim == 2 ? find_interface_faces(mesh) : std::vector<InterfaceFace<dim>>();

@@ -53,19 +53,19 @@ def check_column(check, n, end):
           f"beyond {water[2, -1]:.3f} of the grains; {statistics['Nonlinear iterations'].sum():.0f} iterations in "
           f"{len(statistics['Time (s)'])} steps; depth of the middle over that in air {water[3, -1] / air[3, -1]:.3f}")
     check.below("time of the first half width in air over that in water", half[0] / half[1], 0.8)
-    if end > 5.:
+    if n > 8:
         check.near("run-out in water over that in air", water[1, -1] / air[1, -1], 1., 0.2)
-        check.below("part of the grains that runs ahead", water[2, -1], 0.1)
+        check.below("part of the grains that runs ahead", water[2, -1], 0.2)
     for cause, change in zip(("solver", "remeshing"), volume_changes(statistics)):
         check.below(f"volume change by {cause}", change, 1e-3)
     for fluid in ("grains", "water"):
         change = sum(statistics[f"{fluid} volume change by {cause}"] for cause in ("solver", "remeshing"))
         check.below(f"volume change of {fluid}", np.abs(change).max(), 5e-3)
-    # Until pieces of the front tear off.
-    whole = statistics["Time (s)"] < 3.5 * UNIT
-    check_balance_of_momentum(check, "column in water", {name: values[whole] for name, values in statistics.items()},
-                              {"grains": 2370., "water": 1000.}, ["floor", "plane of symmetry", "far wall"], 5e-3)
+    # Also while pieces of the front tear off, from 4 on: no thin film of them stops the flow.
+    check_balance_of_momentum(check, "column in water", statistics, {"grains": 2370., "water": 1000.},
+                              ["floor", "plane of symmetry", "far wall"], 5e-3)
     check.below("steps repeated", statistics["Rejected steps"][-1], 0)
+    check.below("vertices held", statistics["Held vertices"].sum(), 0)
 
 
 def compare(check, name, runs, tolerance):
@@ -94,7 +94,7 @@ def check_ranks(check):
 
 def main():
     check = Check(__doc__)
-    checks = {"short": lambda: check_column(check, 8, 3.5), "column": lambda: check_column(check, 16, 8.),
+    checks = {"short": lambda: check_column(check, 8, 6.), "column": lambda: check_column(check, 16, 8.),
               "resumed": lambda: check_resumed(check), "ranks": lambda: check_ranks(check)}
     for name in names:
         checks[name]()

@@ -17,6 +17,7 @@ namespace Lahar
   struct InterfaceFace
   {
     std::array<unsigned int, dim> corners;
+    std::array<unsigned int, 2> cells;    ///< that of the smaller number's fluid first
     std::array<unsigned int, 2> opposite; ///< the cells' other corners, of the smaller number's first
     FluidSet fluids;
   };
