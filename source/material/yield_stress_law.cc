@@ -3,9 +3,33 @@
 #include <lahar/material/yield_stress_law.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace Lahar
 {
+  namespace
+  {
+    /// r τ0 over μ + ρ L²/Δt where r is chosen, L = 2 V/A: some 100 with the depth of a block for L.
+    constexpr double best_ratio = 400.;
+
+    /// `Augmentation parameter` where it is a number.
+    double positive_augmentation(const Parameters &prm)
+    {
+      double r = 0.;
+      try
+      {
+        r = to_number(prm.get("Augmentation parameter"));
+      }
+      catch (const std::invalid_argument &)
+      {}
+      if (!(r > 0. && std::isfinite(r)))
+        prm.throw_wrong_value("Augmentation parameter", "a number above zero or 'auto'");
+      return r;
+    }
+  } // namespace
+
+
+
   void YieldStressLaw::declare_yield_stress(Parameters &prm)
   {
     prm.declare_positive("Yield stress", "100",
@@ -32,10 +56,11 @@ namespace Lahar
       "Yield", "Papanastasiou", "Papanastasiou|exact",
       "How the fluid yields: 'Papanastasiou' regularises the law by 'Regularization parameter', 'exact' does not: fluid "
       "below the yield stress is rigid, and stops.");
-    prm.declare_positive(
+    prm.declare_text(
       "Augmentation parameter", "1000",
       "Parameter r in s, above zero, of the method of multipliers, where 'Yield' is 'exact'. The iteration depends on "
-      "it, the result does not; a good value makes r τ0 10 to 100 times μ + ρ L²/Δt, L the depth of the fluid.");
+      "it, the result does not; a good value makes r τ0 10 to 100 times μ + ρ L²/Δt, L the depth of the fluid. 'auto' "
+      "chooses it so in each step, for large masses that come to rest.");
     Thixotropy::declare_parameters(prm);
   }
 
@@ -58,7 +83,8 @@ namespace Lahar
   void YieldStressLaw::parse_yield(const Parameters &prm)
   {
     parse_regularization(prm);
-    const double of_law = prm.get_positive("Augmentation parameter");
+    chooses_r           = prm.get("Augmentation parameter") == "auto";
+    const double of_law = chooses_r ? 1. : positive_augmentation(prm);
     if (prm.get("Yield") == "exact")
       r = of_law;
     else if (prm.get("Yield") != "Papanastasiou")
@@ -70,6 +96,14 @@ namespace Lahar
   void YieldStressLaw::parse_thixotropy(const Parameters &prm)
   {
     structure_law.parse_parameters(prm, tau_0 > 0.);
+  }
+
+
+
+  void YieldStressLaw::choose_augmentation(const double inertia) const
+  {
+    const double viscosity = viscous_part(1., 0.).value;
+    r                      = std::exp2(std::round(std::log2(best_ratio * (viscosity + inertia) / tau_0)));
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <lahar/simulator/automatic_augmentation.h>
 #include <lahar/simulator/spread_largest.h>
 #include <lahar/simulator/step_problem.h>
 
@@ -27,6 +28,7 @@ namespace Lahar
     if (!multipliers.empty())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         state.multiplier[c] = multipliers[system.cells()[c]];
+    choose_augmentations(*mesh, materials, state, counted_cells(), communicator());
     if (integration.is_first_step())
       return;
 

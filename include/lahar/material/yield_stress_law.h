@@ -33,6 +33,19 @@ namespace Lahar
       return tau_0 > 0. ? r : 0.;
     }
 
+    /// Whether r is left to choose_augmentation().
+    bool chooses_augmentation() const
+    {
+      return chooses_r && tau_0 > 0.;
+    }
+
+    /**
+     * Choose r for a step in which fluid of the length L = 2 V/A, half the depth of a block, has the inertia @p inertia =
+     * ρ L²/Δt, Pa s: r τ0 = 400 (μ + ρ L²/Δt), μ at 1/s, to the next power of two of r in s. Nothing but the number of
+     * iterations depends on r, which therefore may change in a law that does not.
+     */
+    void choose_augmentation(const double inertia) const;
+
   protected:
     /// Declare `Yield stress`.
     static void declare_yield_stress(Parameters &prm);
@@ -56,8 +69,9 @@ namespace Lahar
     double friction = 0.; ///< μ_s
 
   private:
-    double m = 0.;
-    double r = 0.; ///< zero where the yield stress is regularised
+    double m         = 0.;
+    mutable double r = 0.; ///< zero where the yield stress is regularised
+    bool chooses_r   = false;
   };
 } // namespace Lahar
 
