@@ -151,6 +151,8 @@ def test_refused():
                          (FLUID + "Bingham/Density", "-1000"), (FLUID + "Bingham/Density", "0"),
                          (FLUID + "Bingham/Plastic viscosity", "-1"), (FLUID + "Bingham/Plastic viscosity", "thick"),
                          (FLUID + "Bingham/Yield stress", "-1"), (FLUID + "Bingham/Regularization parameter", "0"),
+                         (FLUID + "Bingham/Augmentation parameter", "0"), (FLUID + "Bingham/Augmentation parameter", "-3"),
+                         (FLUID + "Bingham/Augmentation parameter", "large"),
                          (FLUID + "Bingham/Bulk modulus", "-1"), (FLUID + "Bingham/Bulk modulus", "soft"),
                          (FLUID + "Bingham/Flocculation time", "0"), (FLUID + "Bingham/Flocculation time", "-2"),
                          (FLUID + "Bingham/Flocculation time", "long"), (FLUID + "Bingham/Deflocculation parameter", "-0.1"),

@@ -33,10 +33,10 @@ namespace Lahar
       return tau_0 > 0. ? r : 0.;
     }
 
-    /// Whether r is left to choose_augmentation().
+    /// Whether there is an r, and it is left to choose_augmentation().
     bool chooses_augmentation() const
     {
-      return chooses_r && tau_0 > 0.;
+      return chooses_r && augmentation() > 0.;
     }
 
     /**
