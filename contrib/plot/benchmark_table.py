@@ -17,7 +17,8 @@ def divide(all_results, case):
 def worst_changes(results):
     """The largest cumulative volume changes by solver and remeshing, as texts."""
     changes = [results.column(name) for name in VOLUME_CHANGES]
-    return [f"{100 * change[np.abs(change).argmax()]:+.2f} %" for change in changes]
+    percents = [100 * change[np.abs(change).argmax()] for change in changes]
+    return [f"{value:+.2f} %" if abs(value) >= 0.01 else f"{value:+.0e} %" for value in percents]
 
 
 def state_if_unfinished(results):

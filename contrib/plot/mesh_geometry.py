@@ -62,3 +62,13 @@ def outside(mesh):
         is_left_handed = np.linalg.det(corners[:, 1:] - corners[:, :1]) < 0.
         faces[is_left_handed] = faces[is_left_handed][:, ::-1]
     return faces, cells
+
+
+def rim_radius(points, size):
+    """The rim of a flow about the axis z: the largest distance of @p points from it in sectors 1.5 times @p size wide there,
+    by the angle from −180 degrees on."""
+    radius, angle = np.hypot(*points.T[:2]), np.arctan2(points[:, 1], points[:, 0])
+    n_sectors = max(1, int(2. * np.pi * radius.max(initial=0.) / (1.5 * size)))
+    rim = np.zeros(n_sectors)
+    np.maximum.at(rim, ((angle / (2. * np.pi) + 0.5) * n_sectors).astype(int) % n_sectors, radius)
+    return rim

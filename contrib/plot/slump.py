@@ -4,6 +4,8 @@
 import numpy as np
 from benchmark_table import divide, state_if_unfinished, worst_changes, write_table
 from figure_style import WIDTH, finish_axes, plt, save, use_style
+from lahar_output import read_pvd, read_vtu
+from mesh_geometry import rim_radius
 from render_runs import draw_views
 from thin_layer import NEXT_ORDER, Cone
 from thin_layer import spread as thin_layer_spread
@@ -15,7 +17,7 @@ SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
 CASES = {
-    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.006, 0.004, 0.0029), "diameter": 0.1,
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.005, 0.004, 0.0029), "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "cone": Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182), "huppert": None},
     "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.01, 0.0075),
@@ -43,12 +45,14 @@ def table_row(results):
     linear, wall_time = results.column("Linear iterations"), results.column("Wall time (s)")[-1]
     spread = spreads(results)
     memory = record.get("peak memory (MiB)")
-    # The front advances in jumps: the largest one between two steps, after the first tenth of the run.
-    jumps = np.diff(spread[0])[len(times) // 10:]
+    # The largest advance of the front between two steps, once the collapse is over.
+    jumps = np.diff(spread)[:, times[1:] > 0.1 * times[-1]]
+    _, last = read_pvd(results.directory / "solution.pvd")[-1]
+    rim = rim_radius(read_vtu(last, 3).points, run.h)
     return [CASES[run.label]["title"], f"{1e3 * run.h:g}",
             f"{cells[0]:.0f}", f"{times[-1]:.3g}" + state_if_unfinished(results),
             f"{spread[:, -1].mean():.4f}", f"{np.ptp(spread[:, -1]) / run.h:.2f}", f"{results.column('height (m)')[-1]:.4f}",
-            f"{jumps.max() / run.h:.2f}" if len(jumps) else "–",
+            f"{rim.std() / run.h:.2f}", f"{jumps.max() / run.h:.2f}" if jumps.size else "–",
             f"{np.median(iterations):.0f} / {iterations.max():.0f}", f"{linear.sum() / iterations.sum():.1f}",
             f"{results.column('Rejected steps')[-1]:.0f}", *worst_changes(results), f"{wall_time:.0f}",
             f"{1e6 * wall_time / (cells * iterations).sum():.1f}", f"{memory:.0f}" if memory else "–"]
@@ -56,10 +60,13 @@ def table_row(results):
 
 def write_results(usable, missing, path):
     header = ["case", "h (mm)", "tetrahedra at the start", "time reached (s)", "spread, mean of four directions (m)",
-              "largest difference between directions / h", "height (m)", "largest jump of the front in a step / h",
+              "largest difference between directions / h", "height (m)",
+              "standard deviation of the rim over the angle / h", "largest jump of the front in a step / h",
               "iterations, median / largest", "linear iterations per solve", "rejected steps", "volume by solver, worst",
               "volume by remeshing, worst", "wall time (s)", "µs per tetrahedron and iteration", "peak memory (MiB)"]
-    write_table(header, map(table_row, usable), "Volume: cumulative, relative to the initial volume. One thread a run.",
+    write_table(header, map(table_row, usable), "Rim: what is farthest from the axis, in sectors 1.5 h wide. Jumps: of the "
+                "spread in any of the four directions, after the first tenth of the time. Volume: cumulative, relative to the "
+                "initial volume. One thread a run.",
                 usable, missing, path)
 
 

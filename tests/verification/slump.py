@@ -15,6 +15,7 @@ import numpy as np
 
 from verification import ROOT, Check, read_pvd, read_run, read_vtu, run_check, volume_changes  # adds contrib/plot to the path
 
+from mesh_geometry import rim_radius
 from thin_layer import GRAVITY, Cone, arrested_spread, spread
 
 MINI = Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182)
@@ -45,10 +46,7 @@ def main():
     check.near(f"spread at {END - 0.03:.2f} s (m)", measured, spread(MINI, [END - 0.03], rings_until=0.12)[0], 0.03)
     # The rim: what of the flow is farthest from the axis, by sectors of 1.5 mesh sizes.
     mesh = read_vtu(read_pvd(directory / "solution.pvd")[-1][1], 3)
-    radius, angle = np.hypot(*mesh.points.T[:2]), np.arctan2(mesh.points[:, 1], mesh.points[:, 0])
-    n_sectors = int(2. * math.pi * radius.max() / (1.5 * SIZE))
-    sector = ((angle / (2. * math.pi) + 0.5) * n_sectors).astype(int) % n_sectors
-    rim = np.array([radius[sector == k].max() for k in range(n_sectors)])
+    rim = rim_radius(mesh.points, SIZE)
     check.below("standard deviation of the rim over the angle, over the mesh size", rim.std() / SIZE, 0.25)
     for cause, change in zip(("solver", "remeshing"), volume_changes(statistics)):
         check.below(f"volume change by {cause}", change, 5e-3)
