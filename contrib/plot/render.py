@@ -263,12 +263,14 @@ def main():
     width, height = arguments.width, int(HEIGHT * arguments.width)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
+    # Several samples a pixel and transparent walls do not go together without a graphics card: parts of walls are missing.
+    window.SetMultiSamples(0)
     window.SetSize(width * n_columns, height * n_rows)
     for i, ((time, _), surface) in enumerate(zip(chosen, surfaces)):
         column, row = i % n_columns, n_rows - 1 - i // n_columns
         renderer = vtk.vtkRenderer()
         renderer.SetBackground(1., 1., 1.)
+        renderer.UseFXAAOn()
         renderer.SetViewport(column / n_columns, row / n_rows, (column + 1) / n_columns, (row + 1) / n_rows)
         renderer.AddActor(scene.fluid(surface))
         if time in solids:
