@@ -88,6 +88,7 @@ def main():
         for run in runs:
             run.draw(axes)
         finish_axes(axes, xlabel="angle (degrees)", ylabel="radius less its mean, over h")
+        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.), ncol=3)
         axes.set_xticks(range(-180, 181, 45))
         save(figure, arguments.to)
 
