@@ -97,11 +97,8 @@ def read_walls(vtk, path, scene):
         for sign in (-1., 1.):
             normal = np.zeros(3)
             normal[d] = -sign
-            origin = scene.centre + sign * (0.5 * scene.size + 0.05 * scene.extent)
-            if (d, sign) == (2, -1.):
-                origin[2] = scene.floor + 1e-4 * scene.extent  # the floor's own plane is drawn there
             plane = vtk.vtkPlane()
-            plane.SetOrigin(*origin)
+            plane.SetOrigin(*(scene.centre + sign * (0.5 * scene.size + 0.05 * scene.extent)))
             plane.SetNormal(*normal)
             clip = vtk.vtkClipPolyData()
             clip.SetInputData(data)
