@@ -351,8 +351,10 @@ namespace Lahar
       cloud.number[n]                   = first_number +
                         (std::lower_bound(numbers_of_all.begin(), numbers_of_all.end(), cloud.number[i]) -
                          numbers_of_all.begin());
+      double share = 0.;
       for (const unsigned int f : faces_of[i])
       {
+        share += projected_area<dim>(faces[f].corners, cloud, from.direction);
         Simplex<dim> cell;
         std::copy(faces[f].corners.begin(), faces[f].corners.end(), cell.begin());
         cell[dim] = n;
@@ -365,9 +367,10 @@ namespace Lahar
       cloud.kind[i]     = ParticleKind::fluid;
       cloud.part[i]     = fluid_set(from.source.fluid);
       cloud.reaction[n] = std::exchange(cloud.reaction[i], Tensor<1, dim>());
-      if (faces_of[i].empty())
+      // The layer behind it is not in the new cells; faces along the direction have no share of it.
+      if (share == 0.)
         cloud.owed_volume[i] -= from.area[k] * cloud.spacing[i];
-      else
+      if (!faces_of[i].empty())
         put_beside_walls(i, faces[faces_of[i][0]].inner, walls, cloud);
     }
     cloud.next_number = first_number + numbers_of_all.size();
