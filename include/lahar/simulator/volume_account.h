@@ -118,9 +118,10 @@ namespace Lahar
       return change;
     }
 
+    /// What relative changes are relative to; without fluid, where all are zero, 1.
     double reference() const
     {
-      return initial + came_in;
+      return initial + came_in > 0. ? initial + came_in : 1.;
     }
 
     double initial = 0., present = 0., by_solver = 0., by_remeshing = 0., came_in = 0., gone_out = 0.,
