@@ -114,10 +114,11 @@ namespace Lahar
      * @param uneven how deep, over h, an edge may pass below a wall that carries particles.
      */
     template <int dim>
-    bool crosses_wall(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners, const double h,
+    bool crosses_wall(const Simplex<dim> &simplex, const SimplexCorners<dim> &corners,
                       const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                       const bool only_without_particles = false, const double uneven = 1e-3)
     {
+      const double h = mean_spacing<dim>(simplex, cloud);
       if (is_below_bulge<dim>(simplex, corners, h, cloud, walls))
         return true;
       // Cells of the old domain in space may pass a little below uneven ground.
@@ -215,7 +216,7 @@ namespace Lahar
     const auto corners = corners_of<dim>(simplex, cloud.position);
     const double h     = mean_spacing<dim>(simplex, cloud);
     return !is_excluded<dim>(simplex, corners, h, cloud) && circumradius<dim>(corners) < alpha * h &&
-           !crosses_wall<dim>(simplex, corners, h, cloud, walls);
+           !crosses_wall<dim>(simplex, corners, cloud, walls);
   }
 
 
@@ -229,7 +230,7 @@ namespace Lahar
     // Chords between particles of uneven ground pass a little below it.
     constexpr double uneven = 0.1;
     return circumradius<dim>(corners) < alpha_keep * h &&
-           !crosses_wall<dim>(simplex, corners, h, cloud, walls, false, uneven);
+           !crosses_wall<dim>(simplex, corners, cloud, walls, false, uneven);
   }
 
 
@@ -250,7 +251,7 @@ namespace Lahar
     }
 
     const double h = mean_spacing<dim>(simplex, cloud);
-    if (crosses_wall<dim>(simplex, corners, h, cloud, walls, true))
+    if (crosses_wall<dim>(simplex, corners, cloud, walls, true))
       return Verdict::no_fluid;
     if (old_domain.contains(simplex, centroid<dim>(corners)))
       return Verdict::stays_fluid;
@@ -258,7 +259,7 @@ namespace Lahar
     const bool has_isolated = std::any_of(simplex.begin(), simplex.end(), [&](const unsigned int particle) {
       return cloud.kind[particle] == ParticleKind::fluid && !old_domain.was_wet(particle);
     });
-    if (has_isolated || crosses_wall<dim>(simplex, corners, h, cloud, walls))
+    if (has_isolated || crosses_wall<dim>(simplex, corners, cloud, walls))
       return Verdict::no_fluid;
     if (dim == 3 && old_domain.leads_into_hollow(simplex, centroid<dim>(corners), cloud))
       return Verdict::stays_fluid;

@@ -104,6 +104,33 @@ def check_rooms():
         if path.read_text(encoding="utf-8").count("\n") > 400]), long)
 
 
+def arguments_of_functions(text):
+    """The names of the functions that a C++ text declares, with the numbers of their arguments."""
+    text = re.sub(r'//[^\n]*|/\*.*?\*/|"(\\.|[^"\\])*"', "", text, flags=re.S)
+    for name in re.finditer(r"(?<=[\w>&*:\s])(\w+)\s*\(", text):
+        depth, angles, arguments, i = 1, 0, [""], name.end()
+        while depth > 0 and i < len(text):
+            character = text[i]
+            depth += (character in "([{") - (character in ")]}")
+            angles = max(0, angles + (character == "<") - (character == ">"))
+            if depth == 1 and angles == 0 and character == ",":
+                arguments.append("")
+            elif depth > 0:
+                arguments[-1] += character
+            i += 1
+        # In a declaration each has a type and a name.
+        if all(re.fullmatch(r"\s*(const\s+)?[\w:]+(<.*>)?(::\w+)?(\s+[&*]*\w+|\s*[&*]+\s*\w+)(\s*=.*)?", argument, re.S)
+               for argument in arguments):
+            yield name.group(1), len(arguments)
+
+
+def check_arguments():
+    found = [(path.name, *function) for path in [*(ROOT / "include").rglob("*.h"), *(ROOT / "source").rglob("*.cc")]
+             for function in arguments_of_functions(path.read_text(encoding="utf-8"))]
+    check("functions are found", len(found) > 1500, len(found))
+    check("no function has more than six arguments", not (many := [f for f in found if f[2] > 6]), many)
+
+
 def members(header, name):
     """Data members of a class: what remains of its declarations without functions and types."""
     text = re.sub(r"//.*|/\*(.|\n)*?\*/", "", header.read_text(encoding="utf-8"))
@@ -133,6 +160,7 @@ check_links()
 check_changes()
 check_yaml()
 check_rooms()
+check_arguments()
 check_members()
 check_scripts()
 sys.exit(1 if failed else 0)
