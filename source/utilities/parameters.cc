@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -167,12 +166,13 @@ namespace Lahar
     {
       constexpr std::size_t few = 12;
       const std::string section = path.substr(0, path.rfind('/') + 1);
-      std::vector<std::string> beside;
-      std::copy_if(here.begin(), here.end(), std::back_inserter(beside), [&](const std::string &other) {
-        return !section.empty() && other.rfind(section, 0) == 0 &&
-               other.find('/', section.size()) == std::string::npos;
-      });
+      std::vector<std::string> beside, below;
+      for (const std::string &other : here)
+        if (!section.empty() && other.rfind(section, 0) == 0)
+          (other.find('/', section.size()) == std::string::npos ? beside : below).push_back(other);
       std::string nearest = nearest_name(path, beside);
+      if (nearest.empty())
+        nearest = nearest_name(path, below);
       if (nearest.empty() && !beside.empty() && beside.size() <= few)
       {
         message += ". Allowed in '" + section.substr(0, section.size() - 1) + "':";

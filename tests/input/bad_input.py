@@ -338,7 +338,7 @@ def test_refused():
     refused("no case", ["--help"], case=None)
     refused("two cases", ["2", "--help"], "other.prm")
     refused("unknown option", ["--fast"], "--fast")
-    refused("--set of an unknown entry", ["Fluids/fluid/Densities", "--print-parameters"],
+    refused("--set of an unknown entry", ["Fluids/fluid/Densities", "nearest is 'Fluids/fluid/", "/Density'", "--print-parameters"],
             *set_entry("Fluids/fluid/Densities", "1"))
     refused("--set in an unknown subsection", ["Liquid/Density"], *set_entry("Liquid/Density", "1"))
     refused("--set without a value", ["Time step", "Section/Subsection/Entry=value"], "--set", "Time step")
