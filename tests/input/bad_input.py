@@ -340,6 +340,12 @@ def test_refused():
     refused("unknown option", ["--fast"], "--fast")
     refused("--set of an unknown entry", ["Fluids/fluid/Densities", "nearest is 'Fluids/fluid/", "/Density'", "--print-parameters"],
             *set_entry("Fluids/fluid/Densities", "1"))
+    moments = "Postprocess/Moments/Points"
+    refused("moments of nobody", [moments, "'nobody'", "no boundary and no solid", "'walls'"], *set_entry(moments, "nobody: 0, 0"))
+    refused("moments about two points", [moments, "'walls' twice"], *set_entry(moments, "walls: 0, 0; walls: 1, 0"))
+    refused("moments about no point", [moments], *set_entry(moments, "walls: 0"))
+    refused("moments with rotational symmetry", [moments, "rotational symmetry"], *set_entry(moments, "walls: 0, 0"),
+            *set_entry("Geometry", "rotational symmetry"), *set_entry("Boundaries/walls/polyline/Points", "0, 0 : 1, 0"))
     refused("--set in an unknown subsection", ["Liquid/Density"], *set_entry("Liquid/Density", "1"))
     refused("--set without a value", ["Time step", "Section/Subsection/Entry=value"], "--set", "Time step")
     refused("--set of nothing", ["Section/Subsection/Entry=value"], "--set", "=1")
