@@ -17,11 +17,13 @@ SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
 CASES = {
-    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.005, 0.004, 0.0029), "diameter": 0.1,
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.005, 0.004, 0.0029), "half plane": 0.0004,
+             "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "cone": Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182), "huppert": None},
-    "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.01, 0.0075),
-               "diameter": 0.2, "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
+    "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.012, 0.01, 0.0075),
+               "half plane": 0.001316, "diameter": 0.2,
+               "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
                "cone": Cone(0.3, 0.1, 0.05, 2200., 255., 32.),
                # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
                "huppert": 1.788 * (2200. * 9.81 * 5.497787e-3**3 / (3. * 255.))**0.125},
@@ -30,12 +32,21 @@ CASES = {
 
 def runs(make_run):
     """All runs. @p make_run(case, name, file, settings, label, tau0, h) makes one."""
-    return [make_run(CASE, f"{name}-h{h:g}", case["file"], (f"Mesh size={h}",), name, 0, h)
-            for name, case in CASES.items() for h in case["sizes"]]
+    return ([make_run(CASE, f"{name}-h{h:g}", case["file"], (f"Mesh size={h}",), name, 0, h)
+             for name, case in CASES.items() for h in case["sizes"]]
+            + [make_run(CASE, f"{name}-rz-h{case['half plane']:g}", case["file"].replace(".prm", "_rz.prm"),
+                        (f"Mesh size={case['half plane']}",), f"{name} in the half plane", 0, case["half plane"])
+               for name, case in CASES.items()])
+
+
+def is_in_space(results):
+    return results.run.label in CASES
 
 
 def spreads(results):
-    """Spread in four directions, one row each, m."""
+    """Spread in four directions, in the half plane in one, one row each, m."""
+    if not is_in_space(results):
+        return 2. * results.column("front (m)")[np.newaxis]
     return np.array([results.column(name) for name in SPREADS])
 
 
@@ -70,7 +81,7 @@ def write_results(usable, missing, path):
                 usable, missing, path)
 
 
-def draw_spread(name, chosen, path):
+def draw_spread(name, chosen, in_half_plane, path):
     case = CASES[name]
     figure, axes = plt.subplots(figsize=(0.8 * WIDTH, 0.5 * WIDTH))
     for label, diameter, dash in case["lines"]:
@@ -83,6 +94,9 @@ def draw_spread(name, chosen, path):
     if case["huppert"]:
         axes.plot(times, case["huppert"] * times**0.125, color="0.65", linewidth=1,
                   label="viscous layer without yield stress (upper bound)")
+    for results in in_half_plane:
+        axes.plot(results.column(TIME), spreads(results)[0], color="#CC79A7", linewidth=1.2,
+                  label=f"Lahar in the half plane, h = {1e3 * results.run.h:g} mm")
     for results in chosen:
         spread = spreads(results)
         line, = axes.plot(results.column(TIME), spread.mean(axis=0), linewidth=1.6,
@@ -95,13 +109,16 @@ def draw_spread(name, chosen, path):
 
 
 def report(all_results, doc):
-    usable, missing = divide(all_results, CASE)
+    in_space = [results for results in all_results if is_in_space(results)]
+    usable, missing = divide(in_space, CASE)
     if not usable:
         return
     write_results(usable, missing, doc / "benchmarks" / "slump_table.md")
     use_style()
     for name, case in CASES.items():
         chosen = sorted((results for results in usable if results.run.label == name), key=lambda results: -results.run.h)
+        in_half_plane = [results for results in all_results
+                         if results.is_usable and results.run.label == f"{name} in the half plane"]
         if chosen:
-            draw_spread(name, chosen, doc / "figures" / f"slump_{name}_spread.png")
+            draw_spread(name, chosen, in_half_plane, doc / "figures" / f"slump_{name}_spread.png")
             draw_views(chosen[-1], case["times"], doc / "figures" / f"slump_{name}_views.png")
