@@ -17,12 +17,12 @@ SPREADS = ("spread (m)", "spread 45 (m)", "spread 90 (m)", "spread 135 (m)")
 # Final diameters (m). Roussel & Coussot, J. Rheol. 49 (2005) 705-718: spread of a yield-stress fluid, in the closed form
 # of thin layers; for the mini cone also the experiment and the axisymmetric solution that the paper quotes.
 CASES = {
-    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.005, 0.004, 0.0029), "half plane": 0.0004,
+    "mini": {"file": "prm/slump/mini_cone.prm", "title": "mini cone", "sizes": (0.005, 0.004, 0.0029), "half plane": 0.001,
              "diameter": 0.1,
              "lines": (("formula and experiment 0.225 m", 0.2249, "--"), ("axisymmetric solution 0.220 m", 0.220, ":")),
              "times": ("0", "0.1", "5"), "cone": Cone(0.05, 0.05, 0.035, 2252., 4.018, 18.0182), "huppert": None},
     "abrams": {"file": "prm/slump/abrams.prm", "title": "Abrams cone", "sizes": (0.015, 0.012, 0.01, 0.0075),
-               "half plane": 0.001316, "diameter": 0.2,
+               "half plane": 0.004, "diameter": 0.2,
                "lines": (("formula, at rest: 0.650 m", 0.650, "--"),), "times": ("0", "1", "40"),
                "cone": Cone(0.3, 0.1, 0.05, 2200., 255., 32.),
                # Huppert, J. Fluid Mech. 121 (1982) 43-58: a viscous layer without yield stress, D = 1.788 (rho g V^3 t/(3 mu))^(1/8).
