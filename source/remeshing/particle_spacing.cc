@@ -8,6 +8,7 @@
 #include <lahar/remeshing/merged_place.h>
 #include <lahar/remeshing/owed_volume.h>
 #include <lahar/remeshing/particle_spacing.h>
+#include <lahar/remeshing/surface_chain.h>
 #include <lahar/remeshing/wall_faces.h>
 #include <lahar/utilities/sort_in_buckets.h>
 
@@ -16,67 +17,6 @@
 
 namespace Lahar
 {
-  /// The neighbours of each particle along a plane free surface or interface: previous and next, with the fluid, or the
-  /// first fluid, on the left.
-  class SurfaceChain
-  {
-  public:
-    /// The free surface.
-    template <int dim>
-    SurfaceChain(const FluidMesh<dim> &mesh, const unsigned int n_particles)
-      : links(dim == 2 ? n_particles : 0, {{none, none}})
-    {
-      if constexpr (dim == 2)
-        for (const BoundaryFace &face : mesh.boundary_faces())
-          if (face.free_surface)
-          {
-            const Simplex<2> &cell = mesh.particle_cells()[face.cell];
-            add(cell[(face.opposite + 1) % 3], cell[(face.opposite + 2) % 3]);
-          }
-    }
-
-    /// The interfaces.
-    template <int dim>
-    SurfaceChain(const std::vector<InterfaceFace<dim>> &faces, const unsigned int n_particles)
-      : links(dim == 2 ? n_particles : 0, {{none, none}})
-    {
-      if constexpr (dim == 2)
-        for (const InterfaceFace<2> &face : faces)
-          add(face.corners[0], face.corners[1]);
-    }
-
-    /**
-     * The chain previous, a, b, next around the neighbours of an edge, in either order; empty if there is none, or one
-     * of these is among the @p removed.
-     */
-    std::vector<unsigned int> around(const std::pair<unsigned int, unsigned int> &edge,
-                                     const std::vector<double> &removed) const
-    {
-      auto [a, b] = edge;
-      if (links[a][1] != b)
-        std::swap(a, b);
-      if (links[a][1] != b || links[b][0] != a)
-        return {};
-      const unsigned int previous = links[a][0], next = links[b][1];
-      if (std::max(previous, next) >= links.size() || previous == next || removed[previous] > 0. ||
-          removed[next] > 0.)
-        return {};
-      return {previous, a, b, next};
-    }
-
-  private:
-    void add(const unsigned int from, const unsigned int to)
-    {
-      links[from][1] = (links[from][1] == none ? to : ambiguous);
-      links[to][0]   = (links[to][0] == none ? from : ambiguous);
-    }
-
-    static constexpr unsigned int none = -1, ambiguous = -2;
-    std::vector<std::array<unsigned, 2>> links;
-  };
-
-
-
   namespace
   {
     /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface; so does a
@@ -102,6 +42,16 @@ namespace Lahar
             walls.is_above(facet, position, 0.))
           return true;
       return false;
+    }
+
+    /// Whether the surface between the neighbours @p beside of a particle that gives way to @p other, which is none of them but
+    /// lies across a thin layer, would be longer than @p longest and be divided again.
+    template <int dim>
+    bool would_come_back(const ParticleCloud<dim> &cloud, const std::vector<unsigned int> &beside,
+                         const unsigned int other, const double longest)
+    {
+      return !beside.empty() && std::find(beside.begin(), beside.end(), other) == beside.end() &&
+             cloud.position[beside[0]].distance(cloud.position[beside[1]]) > longest;
     }
 
     using Edge = std::pair<unsigned int, unsigned int>;
@@ -197,6 +147,9 @@ namespace Lahar
         if (length < surface_to_wall * shortest)
           result.push_back({inside, {}, {inside == a ? b : a}, {}});
       }
+      else if (rank[inside] == dim + 1 && length >= surface_to_wall * shortest &&
+               would_come_back(cloud, chains[0].beside(inside), inside == a ? b : a, longest * h))
+        continue;
       else if (rank[a] != rank[b] || rank[b] == 0 || (dim == 3 && rank[b] == first) ||
                (rank[b] % first > 0 && rank[b] % first <= dim &&
                 cloud.contact_facets[a] == cloud.contact_facets[b]))

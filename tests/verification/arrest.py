@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A block above its yield limit stands: it creeps by the regularisation alone, at a speed that is inverse to the
-regularisation parameter and independent of time step and mesh. A block below its limit slumps and stops."""
+regularisation parameter and independent of time step and mesh. A block below its limit slumps and stops; a wedge takes few
+iterations at its thin end."""
 
 from verification import Check, read_run, run_check
 
@@ -32,6 +33,12 @@ def main():
     slump = front("Fluids/fluid/Bingham/Yield stress=245", "Time step=5e-3", "End time=1")
     check.below("a twentieth of the width over the way of the front, 0.25 rho g H", 0.05 * WIDTH / slump[-1], 1.)
     check.below("... its way since 0.5 s over the width", (slump[-1] - slump[len(slump) // 2]) / WIDTH, 5e-3)
+
+    # A layer that tapers off is thinner than the mesh at its end: what gives way to the bed there must not come back.
+    wedge = read_run(check.run("../bentonite_slope/case_a_2d.prm", "Fluids/fluid/Shape=polygon", "End time=0.05",
+                               "Fluids/fluid/polygon/Corners=-0.3024, 0 : 0, 0 : 0, 0.0756",
+                               "Fluids/fluid/Bingham/Yield stress=21.1"))
+    check.below("iterations a step of a wedge, mean", wedge["Nonlinear iterations"].mean(), 5.5)
     check.finish()
 
 
