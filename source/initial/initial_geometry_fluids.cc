@@ -91,6 +91,18 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<FluidLaw *> InitialGeometry<dim>::laws()
+  {
+    std::vector<FluidLaw *> result;
+    for (unsigned int n = 0; n < fluids.size(); ++n)
+      if (material_of[n] == result.size())
+        result.push_back(fluids[n].law.get());
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<std::string> InitialGeometry<dim>::fluid_names() const
   {
     std::vector<std::string> names;
@@ -215,6 +227,8 @@ namespace Lahar
 
   template Materials InitialGeometry<2>::materials() const;
   template Materials InitialGeometry<3>::materials() const;
+  template std::vector<FluidLaw *> InitialGeometry<2>::laws();
+  template std::vector<FluidLaw *> InitialGeometry<3>::laws();
   template std::vector<std::string> InitialGeometry<2>::fluid_names() const;
   template std::vector<std::string> InitialGeometry<3>::fluid_names() const;
   template InitialGeometry<2>::Fillings InitialGeometry<2>::fill_bodies(const MeshSize<2> &) const;

@@ -61,21 +61,8 @@ namespace Lahar
 
   void FluidLaw::parse_parameters(Parameters &prm)
   {
-    rho = prm.get_positive("Density");
-
-    inverse_bulk_modulus = 0.;
-    if (prm.get("Bulk modulus") != "infinite")
-    {
-      double bulk_modulus = 0.;
-      try
-      {
-        bulk_modulus = to_number(prm.get("Bulk modulus"));
-      }
-      catch (const std::invalid_argument &)
-      {}
-      if (!(bulk_modulus > 0.))
-        prm.throw_wrong_value("Bulk modulus", "a number above zero or 'infinite'");
-      inverse_bulk_modulus = 1. / bulk_modulus;
-    }
+    rho                                      = prm.get_positive("Density");
+    const std::optional<double> bulk_modulus = prm.get_positive_or("Bulk modulus", "infinite");
+    inverse_bulk_modulus                     = bulk_modulus ? 1. / *bulk_modulus : 0.;
   }
 } // namespace Lahar

@@ -2,9 +2,6 @@
 
 #include <lahar/material/pore_water.h>
 
-#include <cmath>
-#include <stdexcept>
-
 namespace Lahar
 {
   void PoreWater::declare_parameters(Parameters &prm)
@@ -23,20 +20,11 @@ namespace Lahar
 
   void PoreWater::parse_parameters(const Parameters &prm, const double density)
   {
-    rho_w = 0.;
-    if (prm.get("Pore water level") == "none")
+    rho_w                             = 0.;
+    const std::optional<double> given = prm.get_number_or("Pore water level", "none");
+    if (!given)
       return;
-    bool is_number = true;
-    try
-    {
-      level = to_number(prm.get("Pore water level"));
-    }
-    catch (const std::invalid_argument &)
-    {
-      is_number = false;
-    }
-    if (!is_number || !std::isfinite(level))
-      prm.throw_wrong_value("Pore water level", "a number or 'none'");
+    level = *given;
     rho_w = prm.get_positive("Pore water density");
     if (rho_w >= density)
       prm.throw_wrong_value("Pore water density", "a number below the entry 'Density', " +

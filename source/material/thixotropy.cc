@@ -3,7 +3,6 @@
 #include <lahar/material/thixotropy.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace Lahar
 {
@@ -23,22 +22,10 @@ namespace Lahar
 
   void Thixotropy::parse_parameters(const Parameters &prm, const bool has_yield_stress)
   {
-    rate = 0.;
-    if (prm.get("Flocculation time") != "infinite")
-    {
-      double time = 0.;
-      try
-      {
-        time = to_number(prm.get("Flocculation time"));
-      }
-      catch (const std::invalid_argument &)
-      {}
-      if (!(time > 0. && std::isfinite(time)))
-        prm.throw_wrong_value("Flocculation time", "a number above zero or 'infinite'");
-      rate = 1. / time;
-    }
-    alpha   = prm.get_positive("Deflocculation parameter", true);
-    initial = prm.get_positive("Initial structure", true);
+    const std::optional<double> time = prm.get_positive_or("Flocculation time", "infinite");
+    rate                             = time ? 1. / *time : 0.;
+    alpha                            = prm.get_positive("Deflocculation parameter", true);
+    initial                          = prm.get_positive("Initial structure", true);
     if (has_yield_stress)
       return;
     if (rate > 0.)

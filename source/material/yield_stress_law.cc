@@ -3,7 +3,6 @@
 #include <lahar/material/yield_stress_law.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace Lahar
 {
@@ -11,21 +10,6 @@ namespace Lahar
   {
     /// r τ0 over μ + ρ L²/Δt where r is chosen, L = 2 V/A: some 100 with the depth of a block for L.
     constexpr double best_ratio = 400.;
-
-    /// `Augmentation parameter` where it is a number.
-    double positive_augmentation(const Parameters &prm)
-    {
-      double r = 0.;
-      try
-      {
-        r = to_number(prm.get("Augmentation parameter"));
-      }
-      catch (const std::invalid_argument &)
-      {}
-      if (!(r > 0. && std::isfinite(r)))
-        prm.throw_wrong_value("Augmentation parameter", "a number above zero or 'auto'");
-      return r;
-    }
   } // namespace
 
 
@@ -83,10 +67,10 @@ namespace Lahar
   void YieldStressLaw::parse_yield(const Parameters &prm)
   {
     parse_regularization(prm);
-    chooses_r           = prm.get("Augmentation parameter") == "auto";
-    const double of_law = chooses_r ? 1. : positive_augmentation(prm);
+    const std::optional<double> given = prm.get_positive_or("Augmentation parameter", "auto");
+    chooses_r                         = !given;
     if (prm.get("Yield") == "exact")
-      r = of_law;
+      r = given.value_or(1.);
     else if (prm.get("Yield") != "Papanastasiou")
       prm.throw_wrong_value("Yield", "Papanastasiou|exact");
   }
@@ -100,7 +84,7 @@ namespace Lahar
 
 
 
-  void YieldStressLaw::choose_augmentation(const double inertia) const
+  void YieldStressLaw::choose_augmentation(const double inertia)
   {
     const double viscosity = viscous_part(1., 0.).value;
     r                      = std::exp2(std::round(std::log2(best_ratio * (viscosity + inertia) / tau_0)));

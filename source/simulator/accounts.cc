@@ -67,7 +67,12 @@ namespace Lahar
   typename Accounts<dim>::BeforeMove Accounts<dim>::end_step(const double carried_time, const double lag,
                                                              const Fluid &fluid)
   {
-    momentum.end_step(carried_time, lag - carried_time);
+    if (momentum.has_other_times(carried_time, lag - carried_time))
+    {
+      const auto with_old_times = momentum_of(fluid);
+      momentum.set_times(carried_time, lag - carried_time);
+      momentum.changed_times(with_old_times, momentum_of(fluid));
+    }
     BeforeMove before;
     before.velocities = momentum.velocities(fluid.cloud);
     before.momentum   = momentum_of(before.velocities, fluid);

@@ -84,6 +84,9 @@ namespace Lahar
     for (unsigned int d = 0; d < dim; ++d)
       add_to_column(statistics, std::string("Momentum change by remeshing ") + "xyz"[d] + " (N s)",
                     change_by_remeshing[d]);
+    for (unsigned int d = 0; d < dim; ++d)
+      add_to_column(statistics, std::string("Momentum change by lag ") + "xyz"[d] + " (N s)",
+                    momentum[d] - end[d] + change_by_times[d]);
   }
 
 

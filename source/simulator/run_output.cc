@@ -123,7 +123,11 @@ namespace Lahar
                         "/statistics' is not there. It begins anew, without the lines so far.");
     progress->message("Resumed after step " + std::to_string(n_steps) + " at " + std::to_string(time) +
                       " s.\n" + sizes);
-    advance(time); // the interval may be another one
+    const double due = last_time;
+    advance(time);
+    // Means over another interval.
+    if (last_time != due)
+      time_means.restart();
   }
 
 
@@ -196,7 +200,6 @@ namespace Lahar
   void RunOutput<dim>::write_snapshot(const Snapshot<dim> &snapshot)
   {
     progress->message(visualization.write(snapshot, fields));
-    time_means.restart();
   }
 
 
@@ -205,10 +208,13 @@ namespace Lahar
   void RunOutput<dim>::write_due_snapshot(const Snapshot<dim> &snapshot)
   {
     const double rounding = 1e-10 * parameters.time_step;
-    if (parameters.output_interval > 0. && snapshot.time < next_time() - rounding &&
-        snapshot.time < parameters.end_time - rounding)
+    const bool is_due     = parameters.output_interval <= 0. || snapshot.time >= next_time() - rounding;
+    if (!is_due && snapshot.time < parameters.end_time - rounding)
       return;
     write_snapshot(snapshot);
+    // A run that ends between two snapshots may go on, and its means with it.
+    if (is_due)
+      time_means.restart();
     advance(snapshot.time);
   }
 

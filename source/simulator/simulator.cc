@@ -5,6 +5,7 @@
 #include <lahar/boundary/wall_contact.h>
 #include <lahar/boundary/wall_separation.h>
 #include <lahar/remeshing/interface_correction.h>
+#include <lahar/simulator/automatic_augmentation.h>
 #include <lahar/simulator/simulator.h>
 #include <lahar/utilities/ranks.h>
 #include <lahar/utilities/stop_signal.h>
@@ -116,6 +117,8 @@ namespace Lahar
     if (account.counters.steps > 0 && input.geometry.has_fluid())
       remesh(time_step);
 
+    // Not anew where the step is repeated: from rest that would be the same problem with other units.
+    choose_augmentations(region.mesh, region.particles, time_step, communicator(), input.geometry.laws());
     NonlinearReport report;
     std::optional<WallStep<dim>> wall_step;
     for (bool accepted = false; !accepted;)

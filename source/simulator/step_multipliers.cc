@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/simulator/automatic_augmentation.h>
 #include <lahar/simulator/spread_largest.h>
 #include <lahar/simulator/step_problem.h>
 
@@ -28,7 +27,6 @@ namespace Lahar
     if (!multipliers.empty())
       for (unsigned int c = 0; c < mesh->n_cells(); ++c)
         state.multiplier[c] = multipliers[system.cells()[c]];
-    choose_augmentations(*mesh, materials, state, counted_cells(), communicator());
     if (integration.is_first_step())
       return;
 

@@ -235,6 +235,38 @@ namespace Lahar
 
 
 
+  std::optional<double> Parameters::get_number_or(const std::string &entry, const std::string &word) const
+  {
+    if (get(entry) == word)
+      return {};
+    try
+    {
+      return to_number(get(entry));
+    }
+    catch (const std::invalid_argument &)
+    {
+      throw_wrong_value(entry, "a finite number or '" + word + "'");
+    }
+  }
+
+
+
+  std::optional<double> Parameters::get_positive_or(const std::string &entry, const std::string &word) const
+  {
+    if (get(entry) == word)
+      return {};
+    try
+    {
+      if (const double value = to_number(get(entry)); value > 0.)
+        return value;
+    }
+    catch (const std::invalid_argument &)
+    {}
+    throw_wrong_value(entry, "a finite number above zero or '" + word + "'");
+  }
+
+
+
   double Parameters::get_in_range(const std::string &entry, const double lower, const double upper) const
   {
     const double value = get_number(entry);

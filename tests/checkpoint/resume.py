@@ -5,9 +5,12 @@
 column, barrier, refined, rotational, space: a run that is stopped by signals and resumed leaves, bit for bit, the files
           of one that is not (all but wall times): fluid in the plane, with an elastic barrier, through a refined box, with
           rotational symmetry, in space.
-exact, thixotropic: the same of a fluid whose yield stress is exact, which begins to flow and stops; and builds up.
+exact, chosen, thixotropic: the same of a fluid whose yield stress is exact, which begins to flow and stops; with a parameter
+          of the multipliers that the program chooses; and builds up.
 rejected, rejected_space: a step that is given up and repeated with half its length leaves, bit for bit, the files of a
           run that begins with the length that succeeds.
+means:    a run that ends between two snapshots and goes on has the means over the whole interval; where the interval is
+          another one then, they begin anew.
 counts:   what a run says of the cells in which the equations of grains are ill-posed holds for all of its parts together.
 changed:  harmless parameters may change between the two, others are refused by name; numbers may be written otherwise.
 damaged:  no checkpoint, a truncated, a corrupted, a foreign one, one of another format: status 2, files left alone.
@@ -64,6 +67,8 @@ EXACT = COLUMN.replace("set Yield stress = 20", "set Yield stress = 500\nset Pla
     "0, 0 : 0.146, 0.292", "0, 0 : 0.1, 0.15") + """
 set Time integration = backward Euler
 """
+
+CHOSEN = EXACT.replace("set Yield = exact", "set Yield = exact\nset Augmentation parameter = auto")
 
 THIXOTROPIC = EXACT.replace("set Yield = exact", "set Yield = exact\nset Flocculation time = 0.1\nset Initial structure = 0.2")
 
@@ -182,6 +187,24 @@ def test_rejected(parent, text):
     check("no other one more often than in the run with shorter steps",
           n_rejected["rejected"] == [n + halvings for n in n_rejected["shorter"]], n_rejected)
     compare("given up", files["shorter"], files["rejected"])
+
+
+def test_means(parent):
+    parts = new_case(parent, "parts", COLUMN)
+    for first, interval in (("0.05", "0.03"), ("0.038", "0.004")):
+        process = run(parts, "--overwrite", "--set", f"End time={first}")
+        check("the first part succeeds", process.returncode == 0, process.out, process.err)
+        process = run(parts, "--resume", "--set", f"Output interval={interval}")
+        check("the second part succeeds", process.returncode == 0, process.out, process.err)
+        found = contents(parts)["statistics"]
+        columns = re.findall(r"^# \d+: (.*)$", open(os.path.join(parts, "out", "statistics")).read(), re.M)
+        step, force = columns.index("Time step size (s)"), columns.index("walls force y (N)")
+        end = 0.06 if interval == "0.03" else 0.042  # of the first interval after the resumption
+        of_steps = [(float(line[step]), float(line[force])) for line in found
+                    if end - float(interval) + 1e-6 < float(line[1]) < end + 1e-6]
+        value = sum(dt * f for dt, f in of_steps) / sum(dt for dt, f in of_steps)
+        mean = [float(line[columns.index("walls mean force y (N)")]) for line in found if abs(float(line[1]) - end) < 1e-6]
+        check(f"the mean at {end} s is over the whole interval", abs(mean[0] - value) < 1e-8 * abs(value), mean, value)
 
 
 def test_counts(parent):
@@ -370,13 +393,14 @@ def main():
     parent = tempfile.mkdtemp()
     try:
         cases = {"column": COLUMN, "barrier": BARRIER, "refined": REFINED, "rotational": ROTATIONAL, "space": SPACE,
-                 "exact": EXACT, "thixotropic": THIXOTROPIC}
+                 "exact": EXACT, "chosen": CHOSEN, "thixotropic": THIXOTROPIC}
         if group in cases:
             test_stopped(parent, cases[group])
         elif group in ("rejected", "rejected_space"):
             test_rejected(parent, {"rejected": BARRIER, "rejected_space": SPACE}[group])
         else:
-            {"counts": test_counts, "changed": test_changed, "damaged": test_damaged, "killed": test_killed, "full": test_full}[group](parent)
+            {"means": test_means, "counts": test_counts, "changed": test_changed, "damaged": test_damaged, "killed": test_killed,
+             "full": test_full}[group](parent)
     finally:
         shutil.rmtree(parent)
     sys.exit(1 if failed else 0)

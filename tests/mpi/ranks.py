@@ -5,8 +5,9 @@
 column, barrier, rotational, space: 1, 2 and 3 ranks compute the same: fluid in the plane with the direct solver, with an
           elastic barrier, with rotational symmetry, in space with the iterative solver; linear and nonlinear tolerances are
           tight, so that rounding is all that differs. The pieces of a snapshot are the whole.
-exact, exact_space, thixotropic: the same of a fluid whose yield stress is exact, in the plane and in space, with the
-          direct solver, and of one that builds up and breaks down.
+exact, exact_space, chosen, thixotropic: the same of a fluid whose yield stress is exact, in the plane and in space, with the
+          direct solver, of one whose parameter of the multipliers the program chooses, and of one that builds up and breaks
+          down.
 rejected: the same where a step is given up and repeated with half its length.
 resume:   a checkpoint of two ranks is resumed on three and on one; a piece that is damaged or missing is refused.
 pieces:   so is a piece in the place of another rank's, of another checkpoint or another run, or of the same number in a run
@@ -131,6 +132,8 @@ set Largest movement = 1e-3
 
 CASES = {"column": COLUMN + TIGHT, "barrier": BARRIER + TIGHT, "rotational": ROTATIONAL + TIGHT, "space": SPACE + TIGHT,
          "exact": exact(COLUMN) + TIGHT + MULTIPLIERS, "exact_space": exact(SPACE) + TIGHT + MULTIPLIERS + DIRECT,
+         "chosen": exact(COLUMN).replace("set Yield = exact", "set Yield = exact\nset Augmentation parameter = auto") + TIGHT +
+         MULTIPLIERS,
          "rejected": BARRIER + TIGHT + CAUTIOUS,
          "thixotropic": COLUMN.replace("set Yield stress = 20", STRUCTURE) + TIGHT}
 

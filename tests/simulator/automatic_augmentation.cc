@@ -3,7 +3,6 @@
 // Test the augmentation parameter that the program chooses: it follows the fluid's depth, the density, the viscosity and the
 // time step, and is of the fluids that ask for it only.
 
-#include <lahar/material/materials.h>
 #include <lahar/simulator/automatic_augmentation.h>
 
 #include "material/laws.h"
@@ -27,7 +26,6 @@ struct Square
 {
   ParticleCloud<2> cloud;
   FluidMesh<2> mesh;
-  FluidState<2> state;
 
   Square(const bool two)
   {
@@ -36,14 +34,13 @@ struct Square
       for (unsigned int i = 0; i <= n; ++i)
         cloud.append(Point<2>(i, j) / double(n), ParticleKind::fluid, 1. / n);
     mesh_layers(cloud, two, mesh);
-    for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
-      state.old_position.push_back(side * cloud.position[mesh.particle(v)]);
+    for (Point<2> &position : cloud.position)
+      position *= side;
   }
 
-  void choose(const Materials &materials, const double time_step)
+  void choose(const std::vector<FluidLaw *> &laws, const double time_step) const
   {
-    state.time_step = time_step;
-    choose_augmentations(mesh, materials, state, std::vector<bool>(mesh.n_cells(), true), MPI_COMM_SELF);
+    choose_augmentations(mesh, cloud, time_step, MPI_COMM_SELF, laws);
   }
 };
 
@@ -62,7 +59,7 @@ int main()
   bool powers = true;
   for (double time_step = 1e-4; time_step < 1e4; time_step *= 3.)
   {
-    square.choose(*law, time_step);
+    square.choose({law.get()}, time_step);
     least  = std::min(least, ratio(*law, 0.5 * side, time_step));
     most   = std::max(most, ratio(*law, 0.5 * side, time_step));
     powers = powers && std::log2(law->augmentation()) == std::round(std::log2(law->augmentation()));
@@ -72,12 +69,12 @@ int main()
 
   const auto given = make("70"), regularized = make("auto", "Papanastasiou");
   Square layers(true);
-  layers.choose(Materials({law.get(), given.get()}), 0.1);
+  layers.choose({law.get(), given.get()}, 0.1);
   // Of a layer 8 m wide and 4 m deep three sides are free.
   const double of_layer = ratio(*law, 2. * 32. / 16., 0.1);
   check("of several fluids that of each", of_layer > below && of_layer < above);
   check("r that is given stays", given->augmentation() - 70., 0.);
-  square.choose(*regularized, 0.1);
+  square.choose({regularized.get()}, 0.1);
   check("so does none", regularized->augmentation(), 0.);
   return n_failed > 0;
 }

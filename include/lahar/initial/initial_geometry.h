@@ -71,6 +71,9 @@ namespace Lahar
     /// entries are one fluid.
     Materials materials() const;
 
+    /// The same laws, for what they choose step by step; none if there are no fluids.
+    std::vector<FluidLaw *> laws();
+
     /// The names of each of them, joined by "and".
     std::vector<std::string> fluid_names() const;
 

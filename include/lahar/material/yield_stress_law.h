@@ -42,9 +42,9 @@ namespace Lahar
     /**
      * Choose r for a step in which fluid of the length L = 2 V/A, half the depth of a block, has the inertia @p inertia =
      * ρ L²/Δt, Pa s: r τ0 = 400 (μ + ρ L²/Δt), μ at 1/s, to the next power of two of r in s. Nothing but the number of
-     * iterations depends on r, which therefore may change in a law that does not.
+     * iterations depends on r.
      */
-    void choose_augmentation(const double inertia) const;
+    void choose_augmentation(const double inertia);
 
   protected:
     /// Declare `Yield stress`.
@@ -69,9 +69,9 @@ namespace Lahar
     double friction = 0.; ///< μ_s
 
   private:
-    double m         = 0.;
-    mutable double r = 0.; ///< zero where the yield stress is regularised
-    bool chooses_r   = false;
+    double m       = 0.;
+    double r       = 0.; ///< zero where the yield stress is regularised
+    bool chooses_r = false;
   };
 } // namespace Lahar
 

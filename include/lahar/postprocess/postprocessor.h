@@ -34,7 +34,7 @@ namespace Lahar
     const Solids<dim> &solids;
     const Walls<dim> &walls;
     const Migration<dim> &migration;
-    TimeMeans &means; ///< since the last snapshot
+    TimeMeans &means; ///< since the last snapshot that was due
     double time                       = 0.;
     const CellTable<dim> *multipliers = nullptr; ///< Λ of an exact yield stress, see PlasticMultipliers
     /// By boundary: mean force of the fluid on what stands behind an outlet, N; empty where nothing does.
@@ -83,7 +83,7 @@ namespace Lahar
   };
 
   /// Add the columns '@p what x (N)' … of a step's mean @p force (N), the same on all ranks, and 'mean @p what x (N)' … of
-  /// its mean since the last snapshot, both behind @p whose.
+  /// its mean since the last snapshot that was due, both behind @p whose.
   template <int dim>
   void add_force_columns(TableHandler &statistics, const Snapshot<dim> &snapshot, const std::string &whose,
                          const std::string &what, const Tensor<1, dim> &force);

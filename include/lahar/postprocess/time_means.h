@@ -12,7 +12,7 @@
 namespace Lahar
 {
   /**
-   * Means over the steps since the last snapshot, q̄ = Σ q Δt/Σ Δt, of quantities that are told apart by their names.
+   * Means over the steps since the last snapshot that was due, q̄ = Σ q Δt/Σ Δt, of quantities that are told apart by their names.
    * Each step adds each quantity once; a quantity that comes later counts as zero before.
    */
   class TimeMeans

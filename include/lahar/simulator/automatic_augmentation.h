@@ -3,8 +3,7 @@
 #ifndef lahar_simulator_automatic_augmentation_h
 #define lahar_simulator_automatic_augmentation_h
 
-#include <lahar/assembly/fluid_state.h>
-#include <lahar/material/materials.h>
+#include <lahar/material/fluid_law.h>
 #include <lahar/remeshing/fluid_mesh.h>
 
 #include <vector>
@@ -16,13 +15,12 @@ namespace Lahar
    * YieldStressLaw::choose_augmentation(). L = 2 V/A is the depth of a layer and half that of a block, V the volume of the
    * fluid's cells and A the area of their faces where the mesh ends, in the half plane (r, z) those of the section.
    *
-   * @param state with the step's length and the places at its start. @param is_counted by cell, on one rank only.
-   * Collective.
+   * @param time_step is its length, s. @param laws by the fluids' numbers. Collective.
    */
   template <int dim>
-  void choose_augmentations(const FluidMesh<dim> &mesh, const Materials &materials,
-                            const FluidState<dim> &state, const std::vector<bool> &is_counted,
-                            const MPI_Comm &communicator);
+  void choose_augmentations(const FluidMesh<dim> &mesh, const ParticleCloud<dim> &cloud,
+                            const double time_step, const MPI_Comm &communicator,
+                            const std::vector<FluidLaw *> &laws);
 } // namespace Lahar
 
 #endif

@@ -76,10 +76,10 @@ namespace Lahar
       return last_time + parameters.output_interval;
     }
 
-    /// Write the files for ParaView, and begin new means.
+    /// Write the files for ParaView.
     void write_snapshot(const Snapshot<dim> &snapshot);
 
-    /// Write a snapshot if one is due at its time.
+    /// Write a snapshot if one is due at its time, and begin new means, or if it is the run's last one.
     void write_due_snapshot(const Snapshot<dim> &snapshot);
 
     /// A step begins, of which means are taken, see TimeMeans.
@@ -123,7 +123,7 @@ namespace Lahar
     /// Wait until all lines are on the disk. First rank.
     void sync() const;
 
-    /// Since the last snapshot.
+    /// Since the last snapshot that was due.
     TimeMeans &means()
     {
       return time_means;

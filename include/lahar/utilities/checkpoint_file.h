@@ -22,7 +22,7 @@ namespace Lahar
   {
   public:
     /// Raised whenever the data mean something else.
-    static constexpr unsigned int format_version = 11;
+    static constexpr unsigned int format_version = 12;
 
     /// Whose data.
     struct Piece

@@ -9,6 +9,7 @@
 #include <lahar/utilities/exceptions.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -103,6 +104,12 @@ namespace Lahar
 
     /// A finite number above zero (or, with @p allow_zero, not below); InputError otherwise.
     double get_positive(const std::string &entry, const bool allow_zero = false) const;
+
+    /// A finite number, none where the value is the @p word; InputError otherwise.
+    std::optional<double> get_number_or(const std::string &entry, const std::string &word) const;
+
+    /// The same of a number above zero.
+    std::optional<double> get_positive_or(const std::string &entry, const std::string &word) const;
 
     /// A finite number in [@p lower, @p upper]; InputError otherwise.
     double get_in_range(const std::string &entry, const double lower, const double upper) const;
