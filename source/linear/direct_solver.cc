@@ -19,6 +19,8 @@ namespace Lahar
   {
     /// GmresTargets::slack.
     constexpr double slack = 1.5;
+    /// Of the tolerance where IncrementScales::are_coarse.
+    constexpr double coarse_factor = 5.;
   } // namespace
 
 
@@ -29,8 +31,8 @@ namespace Lahar
     prm.declare_choice("Package", "MUMPS", "MUMPS|KLU", "Package that factorises: MUMPS or KLU.");
     prm.declare_number(
       "Tolerance", "1e-2",
-      "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1; with "
-      "0 every system is factorised.",
+      "Relative tolerance of the increments where an earlier factorisation is used again, 0 to 0.1, five times as "
+      "large with an exact yield stress; with 0 every system is factorised.",
       0., 0.1);
     prm.declare_count(
       "Maximum iterations", "6",
@@ -295,9 +297,10 @@ namespace Lahar
   {
     if (tolerance > 0. && whole.pattern == system.pattern_number())
     {
+      const double target             = scales.are_coarse ? coarse_factor * tolerance : tolerance;
       const unsigned int n_iterations = solve_by_scaled_gmres<dim>(
         system, [this](const Vector &x, Vector &y) { apply_whole(x, y); }, scales,
-        {max_iterations, tolerance, slack}, solution);
+        {max_iterations, target, slack}, solution);
       if (n_iterations <= max_iterations)
         return n_iterations;
     }

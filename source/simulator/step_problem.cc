@@ -128,7 +128,7 @@ namespace Lahar
                                                fluid.state.gravity.norm() * fluid.state.time_step * length * 1e-3);
     const double p_scale            = std::max(step_state.pressure_norm(),
                                                materials.largest_density() * v_scale * v_scale / length);
-    const IncrementScales scales    = {v_scale, p_scale, negligible};
+    const IncrementScales scales    = {v_scale, p_scale, negligible, materials.any_exact_yield_stress()};
     const unsigned int n_iterations = in_two_steps
                                         ? linear_solver->solve_in_two_steps(system, scales, solution)
                                         : linear_solver->solve(system, scales, solution);

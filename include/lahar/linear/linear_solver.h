@@ -13,9 +13,10 @@ namespace Lahar
   /// How errors of the increments count: the norm of those of velocities and pressures, divided by these scales.
   struct IncrementScales
   {
-    double velocity   = 1.; ///< m/s
-    double pressure   = 1.; ///< Pa
-    double negligible = 0.; ///< norms below this do no harm
+    double velocity   = 1.;    ///< m/s
+    double pressure   = 1.;    ///< Pa
+    double negligible = 0.;    ///< norms below this do no harm
+    bool are_coarse   = false; ///< the iteration of which they are gains no more than a digit each time
   };
 
   /**
