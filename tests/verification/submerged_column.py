@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A column of grains collapses in air and under water. Under water the volumes and the momentum are kept, and the grains move
-more slowly but come as far as in air; a run that is resumed goes on bit for bit, two ranks compute what one does.
+more slowly, a part of them farther than in air and the others less far; a run that is resumed goes on bit for bit, two ranks compute what one does.
 
     submerged_column.py --lahar PROGRAM --output DIRECTORY [--cases NAME ...]
 """
@@ -50,12 +50,14 @@ def check_column(check, n, end):
     water = deposit(directory, WIDTH, 0.)
     half = [np.interp(0.5, way, time / UNIT) for time, way, *rest in (air, water)]
     print(f"  run-out {air[1, -1]:.3f} in air and {water[1, -1]:.3f} in water, 0.5 after {half[0]:.2f} and {half[1]:.2f}; "
-          f"beyond {water[2, -1]:.3f} of the grains; {statistics['Nonlinear iterations'].sum():.0f} iterations in "
-          f"{len(statistics['Time (s)'])} steps; depth of the middle over that in air {water[3, -1] / air[3, -1]:.3f}")
+          f"of the body {air[2, -1]:.3f} and {water[2, -1]:.3f}; {water[3, -1]:.3f} of the grains run ahead; {statistics['Nonlinear iterations'].sum():.0f} iterations in "
+          f"{len(statistics['Time (s)'])} steps; depth of the middle over that in air {water[4, -1] / air[4, -1]:.3f}")
     check.below("time of the first half width in air over that in water", half[0] / half[1], 0.8)
     if n > 8:
-        check.near("run-out in water over that in air", water[1, -1] / air[1, -1], 1., 0.2)
-        check.below("part of the grains that runs ahead", water[2, -1], 0.2)
+        # Where the thin layer behind the head is deeper than 0.1 widths, about two cells, is chance.
+        check.near("run-out of the body in water over that in air", water[2, -1] / air[2, -1], 0.7, 0.2)
+        check.near("part of the grains that runs ahead", water[3, -1], 0.14, 0.2)
+        check.below("... in air", air[3, -1], 0.02)
     for cause, change in zip(("solver", "remeshing"), volume_changes(statistics)):
         check.below(f"volume change by {cause}", change, 1e-3)
     for fluid in ("grains", "water"):

@@ -134,8 +134,9 @@ def check_balance_of_momentum(check, name, run, densities, boundaries, tolerance
 
 def deposit(directory, width, fluid=None):
     """By snapshot of a column of grains @p width wide at the start, from x = 0: the time; the run-out over the width of what is
-    deeper than 0.1 widths from the column on, in strips of 0.1 widths; the part of the grains beyond; the depth of the middle
-    over the width. Where there are several fluids the grains are the one of the number @p fluid."""
+    deeper than 0.1 widths from the column on, in strips of 0.1 widths; the same of what is deeper than 0.2 widths; the part of
+    the grains beyond 1.3 widths; the depth of the middle over the width. Where there are several fluids the grains are the one
+    of the number @p fluid."""
     rows = []
     for time, path in read_pvd(directory / "solution.pvd"):
         mesh = read_vtu(path)
@@ -143,10 +144,11 @@ def deposit(directory, width, fluid=None):
         areas = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
         if fluid is not None:
             areas = areas * (mesh.at_cells("fluid") == fluid)
-        edges = np.arange(0., (a + b + c)[:, 0].max() / 3. + 0.3, 0.1)
-        depth = np.histogram((a + b + c)[:, 0] / 3., edges, weights=areas)[0] / 0.1
-        end = int(np.argmax(depth < 0.1))
-        rows.append((time, edges[end] - 1., depth[end:].sum() / depth.sum(), depth[:5].mean()))
+        x = (a + b + c)[:, 0] / 3.
+        edges = np.arange(0., x.max() + 0.3, 0.1)
+        depth = np.histogram(x, edges, weights=areas)[0] / 0.1
+        ends = [edges[int(np.argmax(depth < least))] - 1. for least in (0.1, 0.2)]
+        rows.append((time, *ends, areas[x > 2.3].sum() / areas.sum(), depth[:5].mean()))
     return np.array(rows).T
 
 
