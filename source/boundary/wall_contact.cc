@@ -72,33 +72,9 @@ namespace Lahar
 
 
   template <int dim>
-  bool WallContact<dim>::goes_on(const int from, const unsigned int to, const int side,
-                                 const Sides &side_on) const
-  {
-    return from != ParticleCloud<dim>::no_facet &&
-           side_on(from) * side * (walls.normal(from) * walls.normal(to)) > smooth_joint;
-  }
-
-
-
-  template <int dim>
-  bool WallContact<dim>::comes_over_bulge(const int from, const unsigned int to, const int side,
-                                          const Sides &side_on) const
-  {
-    if (step.deforms(to) || !goes_on(from, to, -side, side_on))
-      return false;
-    Point<dim> middle;
-    for (const Point<dim> &corner : walls.facets()[to].corners)
-      middle += corner / dim;
-    return side_on(from) * walls.signed_distance(from, middle) < 0.;
-  }
-
-
-
-  template <int dim>
-  void WallContact<dim>::attach_near(const unsigned int particle, const double distance, const Sides &side_on,
+  void WallContact<dim>::attach_near(const unsigned int particle, const double distance,
                                      const std::function<bool(const unsigned int, const int)> &meets,
-                                     ParticleCloud<dim> &cloud) const
+                                     ContactSides<dim> &sides, ParticleCloud<dim> &cloud) const
   {
     const Point<dim> &position = cloud.position[particle];
     const auto &slots          = cloud.contact_facets[particle];
@@ -107,15 +83,14 @@ namespace Lahar
           walls.is_above(facet, position, 1e-3 * cloud.spacing[particle]) &&
           !walls.is_hidden(facet, position))
       {
-        int side = side_of(facet, position);
-        if (std::any_of(slots.begin(), slots.end(),
-                        [&](const int from) { return comes_over_bulge(from, facet, side, side_on); }))
-          side = -side;
-        if (separates(facet) && !meets(facet, side))
+        const int side = sides.find(facet, side_of(facet, position));
+        if ((separates(facet) && !meets(facet, side)) ||
+            std::any_of(slots.begin(), slots.end(), [&](const int from) {
+              return sides.goes_on(from, facet, side) || sides.is_round_edge(from, facet);
+            }))
           continue;
-        if (std::none_of(slots.begin(), slots.end(),
-                         [&](const int from) { return goes_on(from, facet, side, side_on); }))
-          attach(particle, facet, side, cloud);
+        attach(particle, facet, side, cloud);
+        sides.add(facet, side);
       }
   }
 
@@ -126,9 +101,11 @@ namespace Lahar
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (cloud.kind[i] == ParticleKind::fluid)
+      {
+        ContactSides<dim> sides(step);
         attach_near(
-          i, 1e-3 * cloud.spacing[i], [&](const int facet) { return side_of(facet, cloud.position[i]); },
-          [](const unsigned int, const int) { return true; }, cloud);
+          i, 1e-3 * cloud.spacing[i], [](const unsigned int, const int) { return true; }, sides, cloud);
+      }
   }
 
 
@@ -144,20 +121,19 @@ namespace Lahar
 
       auto &slots       = cloud.contact_facets[i];
       const auto before = slots;
+      ContactSides<dim> sides(step);
       for (int &facet : slots)
-        if (facet != ParticleCloud<dim>::no_facet &&
-            (!walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
-             std::abs(walls.signed_distance(facet, cloud.position[i])) > 1e-3 * h))
-          facet = ParticleCloud<dim>::no_facet;
+        if (facet != ParticleCloud<dim>::no_facet)
+        {
+          // It may have been moved through what it was in contact with since.
+          sides.add(facet, side_at_start(facet, old_position[i]));
+          if (!walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
+              std::abs(walls.signed_distance(facet, cloud.position[i])) > 1e-3 * h)
+            facet = ParticleCloud<dim>::no_facet;
+        }
       std::sort(slots.begin(), slots.end(), std::greater<int>());
       put_on_solids(i, old_position[i], cloud);
 
-      // It may have been moved through what it was in contact with since.
-      const Sides side_on = [&](const int facet) {
-        return std::find(before.begin(), before.end(), facet) != before.end()
-                 ? side_at_start(facet, old_position[i])
-                 : side_of(facet, cloud.position[i]);
-      };
       // The first facet on its way stops it there; from then on it may meet others.
       std::vector<unsigned int> met;
       for (bool any = true; any;)
@@ -181,31 +157,28 @@ namespace Lahar
         if (!any)
           break;
         met.push_back(next);
-        int side = side_at_start(next, old_position[i]);
+        const int side = sides.find(next, side_at_start(next, old_position[i]));
         // Beyond a bulge the facets that it comes from are above it.
-        const unsigned int n_met = met.size();
-        for (const int from : before)
-          if (comes_over_bulge(from, next, side, side_on))
-            met.push_back(from);
-        if (met.size() > n_met)
-          side = -side;
+        for (const unsigned int from : sides.left_over_bulge(next, side))
+          met.push_back(from);
         // Along a smooth surface it leaves the facet behind for the one that it comes to.
         for (int &from : slots)
-          if (goes_on(from, next, side, side_on))
+          if (sides.goes_on(from, next, side))
             from = ParticleCloud<dim>::no_facet;
         std::sort(slots.begin(), slots.end(), std::greater<int>());
         attach(i, next, side, cloud);
+        sides.add(next, side);
       }
       // Along a smooth surface it goes on; else it comes to a wall that it moves towards.
       const auto meets = [&](const unsigned int facet, const int side) {
         const Tensor<1, dim> &normal = walls.normal(facet);
         return std::any_of(before.begin(), before.end(),
-                           [&](const int from) { return goes_on(from, facet, side, side_on); }) ||
+                           [&](const int from) { return sides.goes_on(from, facet, side); }) ||
                side * (normal * (cloud.velocity[i] -
                                  step.velocity_at_end(walls.facets()[facet].boundary, cloud.position[i]))) <
                  0.;
       };
-      attach_near(i, contact_distance * h, side_on, meets, cloud);
+      attach_near(i, contact_distance * h, meets, sides, cloud);
     }
   }
 

@@ -192,6 +192,116 @@ void test_bulge()
   }
 }
 
+/// The ground around a point of terrain, of 2 × 2 rectangles of 10 m of two triangles each; heights from the upper left on.
+Walls<3> ground(const std::array<double, 9> &heights)
+{
+  std::vector<WallFacet<3>> facets;
+  const auto corner = [&](const unsigned int i, const unsigned int j) {
+    return Point<3>(10. * i, 10. * j, heights[3 * (2 - j) + i]);
+  };
+  for (unsigned int j = 0; j < 2; ++j)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      facets.push_back({{{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)}}, true, 0, false, false});
+      facets.push_back({{{corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)}}, true, 0, false, false});
+    }
+  return Walls<3>(facets);
+}
+
+/// Uneven ground whose facets meet at some degrees, hollow and bulging: particles pass the joints and the corner in the
+/// middle in all directions, in contact, or landing there.
+void test_ground()
+{
+  const double h = 5.;
+  bool on_top = true, in_contact = true, free_along = true;
+  for (const auto &heights : {std::array<double, 9>{{157., 158., 159., 160., 161., 163., 163., 164., 166.}},
+                              std::array<double, 9>{{126., 129., 131., 128., 130., 132., 128., 130., 132.}},
+                              std::array<double, 9>{{137., 140., 142., 136., 139., 141., 136., 138., 141.}}})
+  {
+    const Walls<3> walls = ground(heights);
+    const WallStep<3> standing(walls);
+    const WallContact<3> contact(standing);
+    for (const double start : {0., 0.03, 0.3}) // above the ground, over h
+      for (double angle = 0.05; angle < 6.3; angle += 0.1)
+        for (double offset = -0.3; offset < 0.31; offset += 0.02)
+        {
+          const Tensor<1, 3> along = Point<3>(std::cos(angle), std::sin(angle), 0.),
+                             aside = Point<3>(-along[1], along[0], 0.);
+          // The height of the ground, and its facet there.
+          const auto facet_at = [&](const Point<3> &p) {
+            for (unsigned int f = 0; f < walls.facets().size(); ++f)
+            {
+              Point<3> foot = p;
+              foot[2] -= walls.signed_distance(f, p) / walls.normal(f)[2];
+              if (walls.is_above(f, foot, 0.))
+                return f;
+            }
+            return numbers::invalid_unsigned_int;
+          };
+          const auto height = [&](const Point<3> &p) {
+            const unsigned int f = facet_at(p);
+            return walls.signed_distance(f, p) / walls.normal(f)[2];
+          };
+          Point<3> place = Point<3>(10., 10., 0.) - 0.5 * along + offset * aside;
+          place[2] -= height(place);
+          const unsigned int first = facet_at(place);
+          ParticleCloud<3> cloud;
+          cloud.append(place + (start * h + contact_offset * h) * walls.normal(first), ParticleKind::fluid,
+                       h);
+          if (start == 0.)
+            cloud.contact_facets[0][0] = first;
+          for (unsigned int n = 0; n < 4; ++n)
+          {
+            const std::vector<Point<3>> old_position = cloud.position;
+            Tensor<1, 3> way                         = 0.3 * along;
+            if (cloud.in_contact(0))
+            {
+              const NodeConstraint<3> fixed = contact.constraint(0, cloud);
+              for (unsigned int a = 0; a < fixed.n_fixed; ++a)
+                way -= (fixed.frame[a] * way) * fixed.frame[a];
+            }
+            else
+              way[2] -= 0.15 * h;
+            cloud.position[0] += way;
+            contact.update(old_position, cloud);
+            for (const int facet : cloud.contact_facets[0])
+              on_top = on_top && (facet == ParticleCloud<3>::no_facet ||
+                                  walls.signed_distance(facet, cloud.position[0]) > 0.);
+          }
+          on_top     = on_top && height(cloud.position[0]) > -1e-3 * h;
+          in_contact = in_contact && cloud.in_contact(0);
+          free_along = free_along && contact.constraint(0, cloud).n_fixed == 1;
+        }
+  }
+  check("on uneven ground particles are on top of all facets that they touch", on_top);
+  check("and stay in contact", in_contact);
+  check("with one facet at a time", free_along);
+}
+
+/// The upper edge of a step: what flows over it is not held.
+void test_edge()
+{
+  const double h = 0.1;
+  const int none = ParticleCloud<2>::no_facet;
+  const Walls<2> walls({line({0., 0.}, {1., 0.}, false), line({1., 0.}, {1., -1.}, false)});
+  const WallStep<2> standing(walls);
+  const WallContact<2> contact(standing);
+  ParticleCloud<2> cloud;
+  cloud.append({0.97, contact_offset * h}, ParticleKind::fluid, h);
+  cloud.contact_facets[0][0] = 0;
+  for (const double x : {0.993, 0.9999, 1.004})
+  {
+    const auto old_position = cloud.position;
+    cloud.position[0][0]    = x;
+    contact.update(old_position, cloud);
+    if (x < 1.)
+      check("close to the edge of a step it slides on",
+            cloud.contact_facets[0] == std::array<int, 2>{{0, none}});
+  }
+  check("beyond it is free to fall",
+        contact.constraint(0, cloud).n_fixed < 2 && std::abs(cloud.position[0][0] - 1.004) < 0.0041);
+}
+
 /// A wall along (3, 4) that moves along itself, and a floor on which a wall comes along, in a step of 0.1 s.
 void test_moving()
 {
@@ -299,6 +409,8 @@ int main()
   test_sides();
   test_joints();
   test_bulge();
+  test_ground();
+  test_edge();
   test_moving();
   test_sharp_edges();
   return n_failed > 0;

@@ -3,6 +3,7 @@
 #ifndef lahar_boundary_wall_contact_h
 #define lahar_boundary_wall_contact_h
 
+#include <lahar/boundary/contact_sides.h>
 #include <lahar/boundary/wall_separation.h>
 #include <lahar/boundary/wall_step.h>
 #include <lahar/linear/node_constraint.h>
@@ -59,21 +60,11 @@ namespace Lahar
     void attach(const unsigned int particle, const unsigned int facet, const int side,
                 ParticleCloud<dim> &cloud) const;
 
-    /// By facet that a particle is or was in contact with, the side of it on which it is: 1 or −1.
-    using Sides = std::function<int(const int)>;
-
-    /// Put a fluid particle in contact with all facets nearer than @p distance (m) that it sees, on the side where it is.
-    /// What separates counts if @p meets says so of facet and side.
-    void attach_near(const unsigned int particle, const double distance, const Sides &side_on,
+    /// Put a fluid particle in contact with all facets nearer than @p distance (m) that it sees, on the side where it is, and
+    /// add them to its @p sides. What separates counts if @p meets says so of facet and side.
+    void attach_near(const unsigned int particle, const double distance,
                      const std::function<bool(const unsigned int, const int)> &meets,
-                     ParticleCloud<dim> &cloud) const;
-
-    /// Whether facet @p to goes on smoothly from facet @p from, which may be none, for a particle on that @p side of @p to.
-    bool goes_on(const int from, const unsigned int to, const int side, const Sides &side_on) const;
-
-    /// Whether a particle on facet @p from, which may be none, and on that @p side of facet @p to comes to the other side of
-    /// @p to over a bulge: there the two go on smoothly, and @p to lies behind the plane of @p from.
-    bool comes_over_bulge(const int from, const unsigned int to, const int side, const Sides &side_on) const;
+                     ContactSides<dim> &sides, ParticleCloud<dim> &cloud) const;
 
     /// Put a particle back on its facets where some are those of solids: the velocities are within the tolerance of the
     /// nonlinear iteration, which may be more than the particle is off a facet.
