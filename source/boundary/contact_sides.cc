@@ -50,24 +50,34 @@ namespace Lahar
 
 
   template <int dim>
-  int ContactSides<dim>::find(const unsigned int to, const int by_place) const
+  int ContactSides<dim>::passed_on(const unsigned int to) const
   {
-    if (step.deforms(to)) // the outside
-      return by_place;
     int over_corner = 0;
     for (const auto &[from, side] : added)
     {
+      if (from == to)
+        return side;
+      if (step.deforms(from))
+        continue;
       const double cosine = walls.normal(from) * walls.normal(to);
-      const Joint joint   = from != to && !step.deforms(from)
-                              ? joint_of<dim>(walls.facets()[from].corners, walls.facets()[to].corners)
-                              : Joint();
+      const Joint joint   = joint_of<dim>(walls.facets()[from].corners, walls.facets()[to].corners);
       if (joint.turn != 0)
         return side * joint.turn;
       if (joint.n_corners > 0 && std::abs(cosine) > smooth_joint)
         over_corner = cosine > 0. ? side : -side;
     }
-    if (over_corner != 0)
-      return over_corner;
+    return over_corner;
+  }
+
+
+
+  template <int dim>
+  int ContactSides<dim>::find(const unsigned int to, const int by_place) const
+  {
+    if (step.deforms(to)) // the outside
+      return by_place;
+    if (const int side = passed_on(to); side != 0)
+      return side;
     return left_over_bulge(to, -by_place).empty() ? by_place : -by_place;
   }
 
@@ -102,6 +112,26 @@ namespace Lahar
         if (goes_on(from, to, side) && is_behind(from, side_from, to))
           result.push_back(from);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::optional<std::pair<unsigned int, int>>
+  ContactSides<dim>::passed_by(const Point<dim> &place, const double reach,
+                               const std::array<int, dim> &in_contact) const
+  {
+    if (added.empty())
+      return {};
+    for (const unsigned int facet : walls.near(place, reach))
+      if (walls.facets()[facet].lands && !step.deforms(facet) && walls.is_above(facet, place, 0.))
+        if (const int side = passed_on(facet); side != 0)
+          if (const double height = side * walls.signed_distance(facet, place);
+              height < 0. && -height < reach &&
+              std::none_of(in_contact.begin(), in_contact.end(),
+                           [&](const int from) { return is_round_edge(from, facet); }))
+            return std::make_pair(facet, side);
+    return {};
   }
 
 

@@ -134,6 +134,15 @@ namespace Lahar
       std::sort(slots.begin(), slots.end(), std::greater<int>());
       put_on_solids(i, old_position[i], cloud);
 
+      // Along a smooth surface it leaves the facet behind for the one that it comes to.
+      const auto come_to = [&](const unsigned int facet, const int side) {
+        for (int &from : slots)
+          if (sides.goes_on(from, facet, side))
+            from = ParticleCloud<dim>::no_facet;
+        std::sort(slots.begin(), slots.end(), std::greater<int>());
+        attach(i, facet, side, cloud);
+        sides.add(facet, side);
+      };
       // The first facet on its way stops it there; from then on it may meet others.
       std::vector<unsigned int> met;
       for (bool any = true; any;)
@@ -161,14 +170,15 @@ namespace Lahar
         // Beyond a bulge the facets that it comes from are above it.
         for (const unsigned int from : sides.left_over_bulge(next, side))
           met.push_back(from);
-        // Along a smooth surface it leaves the facet behind for the one that it comes to.
-        for (int &from : slots)
-          if (sides.goes_on(from, next, side))
-            from = ParticleCloud<dim>::no_facet;
-        std::sort(slots.begin(), slots.end(), std::greater<int>());
-        attach(i, next, side, cloud);
-        sides.add(next, side);
+        come_to(next, side);
       }
+      // Put onto a facet beyond its rim it may be behind the next one, round whose rim its way has led.
+      for (unsigned int round = 0; round < dim; ++round)
+        if (const auto facet = sides.passed_by(cloud.position[i], old_position[i].distance(cloud.position[i]),
+                                               slots))
+          come_to(facet->first, facet->second);
+        else
+          break;
       // Along a smooth surface it goes on; else it comes to a wall that it moves towards.
       const auto meets = [&](const unsigned int facet, const int side) {
         const Tensor<1, dim> &normal = walls.normal(facet);

@@ -216,7 +216,8 @@ void test_ground()
   bool on_top = true, in_contact = true, free_along = true;
   for (const auto &heights : {std::array<double, 9>{{157., 158., 159., 160., 161., 163., 163., 164., 166.}},
                               std::array<double, 9>{{126., 129., 131., 128., 130., 132., 128., 130., 132.}},
-                              std::array<double, 9>{{137., 140., 142., 136., 139., 141., 136., 138., 141.}}})
+                              std::array<double, 9>{{137., 140., 142., 136., 139., 141., 136., 138., 141.}},
+                              std::array<double, 9>{{110., 110., 118., 110., 110., 117., 110., 110., 115.}}})
   {
     const Walls<3> walls = ground(heights);
     const WallStep<3> standing(walls);

@@ -5,6 +5,8 @@
 
 #include <lahar/boundary/wall_step.h>
 
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,7 +49,16 @@ namespace Lahar
     /// The added facets that a particle leaves over a bulge when it comes to that @p side of facet @p to.
     std::vector<unsigned int> left_over_bulge(const unsigned int to, const int side) const;
 
+    /// A facet less than @p reach (m) above the particle's @p place, which so is behind it, and the side to which the
+    /// particle belongs: it was added, or goes on from one that was. What lies round an edge of one of the facets
+    /// @p in_contact (ParticleCloud::contact_facets) is none.
+    std::optional<std::pair<unsigned int, int>> passed_by(const Point<dim> &place, const double reach,
+                                                          const std::array<int, dim> &in_contact) const;
+
   private:
+    /// The side of facet @p to that goes on from those of the facets that were added, over an edge or a corner; else 0.
+    int passed_on(const unsigned int to) const;
+
     /// The side on which the particle is or was of a facet that was added; 0 of others and of none.
     int added_side(const int facet) const;
 
