@@ -96,7 +96,7 @@ namespace Lahar
   bool ContactSides<dim>::is_round_edge(const int from, const unsigned int to) const
   {
     const int side = added_side(from);
-    return side != 0 && !step.deforms(to) && !step.deforms(from) &&
+    return side != 0 &&
            joint_of<dim>(walls.facets()[from].corners, walls.facets()[to].corners).n_corners > 0 &&
            is_behind(from, side, to);
   }

@@ -120,11 +120,10 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<typename ParticleSpacing<dim>::Removal>
-  ParticleSpacing<dim>::find_candidates(const ParticleCloud<dim> &cloud, const std::vector<Edge> &short_edges,
-                                        const std::vector<unsigned int> &rank,
-                                        const std::array<SurfaceChain, 2> &chains,
-                                        const Changes &changes) const
+  std::vector<typename ParticleSpacing<dim>::Removal> ParticleSpacing<dim>::find_candidates(
+    const ParticleCloud<dim> &cloud, const Walls<dim> &walls, const std::vector<Edge> &short_edges,
+    const std::vector<unsigned int> &rank, const std::array<SurfaceChain, 2> &chains,
+    const Changes &changes) const
   {
     constexpr unsigned int first = interface_rank<dim>;
     std::vector<Removal> result;
@@ -151,8 +150,7 @@ namespace Lahar
                would_come_back(cloud, chains[0].beside(inside), inside == a ? b : a, longest * h))
         continue;
       else if (rank[a] != rank[b] || rank[b] == 0 || (dim == 3 && rank[b] == first) ||
-               (rank[b] % first > 0 && rank[b] % first <= dim &&
-                cloud.contact_facets[a] == cloud.contact_facets[b]))
+               (rank[b] % first > 0 && rank[b] % first <= dim && are_on_one_surface(a, b, cloud, walls)))
         result.push_back({inside, {}, {inside == a ? b : a}, {}});
       else if constexpr (dim == 2)
         if (rank[b] % first == dim + 1 || rank[b] == first)
@@ -232,7 +230,7 @@ namespace Lahar
     for (bool any_news = true; any_news;)
     {
       // The first removals that change each particle, and that need it as it is.
-      const std::vector<Removal> removals = find_candidates(cloud, short_edges, rank, chains, changes);
+      const std::vector<Removal> removals = find_candidates(cloud, walls, short_edges, rank, chains, changes);
       std::vector<unsigned int> changed_by(n, removals.size()), needed_by = changed_by;
       for (unsigned int r = removals.size(); r-- > 0;)
       {

@@ -80,7 +80,7 @@ namespace Lahar
 
     /// The removals that are possible of the @p short_edges, in their order. @param rank by particle, the higher
     /// ones stay. @param chains in the plane the free surface and the interfaces.
-    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud,
+    std::vector<Removal> find_candidates(const ParticleCloud<dim> &cloud, const Walls<dim> &walls,
                                          const std::vector<Edge> &short_edges,
                                          const std::vector<unsigned int> &rank,
                                          const std::array<SurfaceChain, 2> &chains,
