@@ -223,8 +223,8 @@ void test_ground()
     const WallStep<3> standing(walls);
     const WallContact<3> contact(standing);
     for (const double start : {0., 0.03, 0.3}) // above the ground, over h
-      for (double angle = 0.05; angle < 6.3; angle += 0.1)
-        for (double offset = -0.3; offset < 0.31; offset += 0.02)
+      for (double angle = 0.05; angle < 6.3; angle += 0.15)
+        for (double offset = -0.3; offset < 0.31; offset += 0.06)
         {
           const Tensor<1, 3> along = Point<3>(std::cos(angle), std::sin(angle), 0.),
                              aside = Point<3>(-along[1], along[0], 0.);
