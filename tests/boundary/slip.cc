@@ -73,10 +73,10 @@ void test_2d()
     {{{{{0., 0.}, {2., 0.}}}, true}, {{{{0., 0.}, {0., 2.}}}, true}, {{{{3., 1.}, {4., 2.}}}, true}});
   const WallStep<2> standing(walls);
   const WallContact<2> slip(standing);
-  const double h = 0.1;
+  const double h = 0.1, off = contact_offset * h; // on its side of the facet
   ParticleCloud<2> cloud;
   const auto add           = [&](const Point<2> &p) { return cloud.append(p, ParticleKind::fluid, h); };
-  const unsigned int floor = add({1., 0.}), corner = add({0., 0.}), skew = add({3.5, 1.5}),
+  const unsigned int floor = add({1., 0.}), corner = add({off, off}), skew = add({3.5, 1.5}),
                      inner = add({1., 0.5}), wall = cloud.append({1.5, 0.}, ParticleKind::wall, h);
   slip.initialize(cloud);
   const Tensor<1, 2> e_x = Point<2>(1., 0.), e_y = Point<2>(0., 1.),
@@ -86,8 +86,6 @@ void test_2d()
   check_frame<2>("skew wall", slip.constraint(skew, cloud), {diagonal});
   check_frame<2>("inner particle", slip.constraint(inner, cloud), {});
   check("wall particle is fixed", slip.constraint(wall, cloud).n_fixed == 2 && !cloud.in_contact(wall));
-
-  const double off = contact_offset * h; // on its side of the facet
 
   // Through the floor; near the floor; near the skew wall; along the floor over its rim; into the corner.
   const unsigned int through = add({0.5, 0.02}), close = add({0.7, 0.05}), to_skew = add({3.5, 1.7}),
