@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/boundary/free_flight.h>
-#include <lahar/boundary/wall_contact.h>
 
 namespace Lahar
 {
@@ -16,7 +15,6 @@ namespace Lahar
     for (unsigned int i = 0; i < cloud.size(); ++i)
       if (!in_mesh[i] && cloud.kind[i] == ParticleKind::fluid)
       {
-        WallContact<dim>::release(i, cloud);
         cloud.position[i] += time_step * (cloud.velocity[i] + 0.5 * time_step * gravity);
         cloud.velocity[i] += time_step * gravity;
         cloud.acceleration[i]             = gravity;

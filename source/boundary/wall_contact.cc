@@ -111,7 +111,8 @@ namespace Lahar
 
 
   template <int dim>
-  void WallContact<dim>::update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const
+  void WallContact<dim>::update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud,
+                                const std::vector<bool> &flies) const
   {
     for (unsigned int i = 0; i < cloud.size(); ++i)
     {
@@ -127,7 +128,7 @@ namespace Lahar
         {
           // It may have been moved through what it was in contact with since.
           sides.add(facet, side_at_start(facet, old_position[i]));
-          if (!walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
+          if ((!flies.empty() && flies[i]) || !walls.is_above(facet, cloud.position[i], 1e-3 * h) ||
               std::abs(walls.signed_distance(facet, cloud.position[i])) > 1e-3 * h)
             facet = ParticleCloud<dim>::no_facet;
         }
@@ -212,14 +213,6 @@ namespace Lahar
           cloud.position[particle] += (height - walls.signed_distance(facet, cloud.position[particle])) *
                                       walls.normal(facet);
         }
-  }
-
-
-
-  template <int dim>
-  void WallContact<dim>::release(const unsigned int particle, ParticleCloud<dim> &cloud)
-  {
-    cloud.contact_facets[particle].fill(ParticleCloud<dim>::no_facet);
   }
 
 

@@ -42,7 +42,10 @@ namespace Lahar
     account.counters.kept_out += count_on_ranks(
       SolidContour<dim>(contour.facets_that_land(false), region.particles)
         .keep_out(old_position, region.particles));
-    WallContact<dim>(contact_step, input.geometry.tensile_strengths()).update(old_position, region.particles);
+    std::vector<bool> flies = in_mesh;
+    flies.flip();
+    WallContact<dim>(contact_step, input.geometry.tensile_strengths())
+      .update(old_position, region.particles, flies);
     if (remesher.keeps_volume())
       VolumeCorrection<dim>::owe_growth(region.mesh, volumes, region.particles);
     migration.update(region.particles);

@@ -222,7 +222,9 @@ void test_ground()
     const Walls<3> walls = ground(heights);
     const WallStep<3> standing(walls);
     const WallContact<3> contact(standing);
-    for (const double start : {0., 0.03, 0.3}) // above the ground, over h
+    for (const auto &[start, flies] :
+         {std::make_pair(0., false), std::make_pair(0.03, false), std::make_pair(0.3, false),
+          std::make_pair(0., true)}) // above the ground, over h
       for (double angle = 0.05; angle < 6.3; angle += 0.15)
         for (double offset = -0.3; offset < 0.31; offset += 0.06)
         {
@@ -255,7 +257,9 @@ void test_ground()
           {
             const std::vector<Point<3>> old_position = cloud.position;
             Tensor<1, 3> way                         = 0.3 * along;
-            if (cloud.in_contact(0))
+            if (flies)
+              way[2] -= 0.05 * h;
+            else if (cloud.in_contact(0))
             {
               const NodeConstraint<3> fixed = contact.constraint(0, cloud);
               for (unsigned int a = 0; a < fixed.n_fixed; ++a)
@@ -264,7 +268,7 @@ void test_ground()
             else
               way[2] -= 0.15 * h;
             cloud.position[0] += way;
-            contact.update(old_position, cloud);
+            contact.update(old_position, cloud, {flies});
             for (const int facet : cloud.contact_facets[0])
               on_top = on_top && (facet == ParticleCloud<3>::no_facet ||
                                   walls.signed_distance(facet, cloud.position[0]) > 0.);

@@ -121,8 +121,6 @@ void test_2d()
   check("above the distance of contact: free", !cloud.in_contact(away));
   check("no contact moves the others", (cloud.position[inner] - Point<2>(1., 0.5)).norm() == 0. &&
                                          cloud.in_contact(floor) && cloud.in_contact(corner));
-  WallContact<2>::release(corner, cloud);
-  check("released", !cloud.in_contact(corner));
 }
 
 void test_3d()

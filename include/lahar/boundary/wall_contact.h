@@ -41,11 +41,10 @@ namespace Lahar
     /// Put all fluid particles that lie on a wall in contact with it.
     void initialize(ParticleCloud<dim> &cloud) const;
 
-    /// Contact and separation after the step, which moved the particles away from @p old_position (by particle).
-    void update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud) const;
-
-    /// Separate a particle from all walls.
-    static void release(const unsigned int particle, ParticleCloud<dim> &cloud);
+    /// Contact and separation after the step, which moved the particles away from @p old_position (by particle). What
+    /// @p flies, by particle, or none, falls freely: it is in contact with what it meets only.
+    void update(const std::vector<Point<dim>> &old_position, ParticleCloud<dim> &cloud,
+                const std::vector<bool> &flies = {}) const;
 
     /// The prescribed components of a particle's mean velocity in the step that begins: all of particles of walls and solids
     /// and of those that stick, the normal ones of those that slide along walls. What solids ask for is not prescribed, see
