@@ -180,6 +180,9 @@ namespace Lahar
     if (WallSeparation<dim>::release(input.geometry.tensile_strengths(), walls, region.mesh, region.particles,
                                      communicator()) > 0)
       migration.update(region.particles);
+    // What landing has displaced is given back below; it is no part of what leaves here.
+    if (input.domain_limit.is_set() || outlets.any())
+      account.remeshed(fluid());
     exchange_fluid();
     if (const unsigned int n_dropped = count_on_ranks(
           input.domain_limit.drop_outside(region.particles, region.mesh)))
