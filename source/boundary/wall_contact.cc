@@ -86,7 +86,8 @@ namespace Lahar
         const int side = sides.find(facet, side_of(facet, position));
         if ((separates(facet) && !meets(facet, side)) ||
             std::any_of(slots.begin(), slots.end(), [&](const int from) {
-              return sides.goes_on(from, facet, side) || sides.is_round_edge(from, facet);
+              // In space it stays at a sharp edge: cells from face to face would cut it off.
+              return sides.goes_on(from, facet, side) || (dim == 2 && sides.is_round_edge(from, facet));
             }))
           continue;
         attach(particle, facet, side, cloud);

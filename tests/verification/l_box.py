@@ -46,7 +46,7 @@ def main():
         check.near("height at the back, extrapolated to rest (m)", 2. * back - at_time(statistics, "back (m)", earlier), first, 0.02)
         check.near("height at the end, extrapolated to rest (m)", 2. * front - at_time(statistics, "end (m)", earlier), last, 0.03)
     reached = float(np.interp(0.5, statistics["front (m)"], statistics["Time (s)"]))
-    check.near("t_40, against the mesh of 10 mm (s)", reached, 1.429, 0.05)
+    check.near("t_40, against the mesh of 10 mm (s)", reached, 1.529, 0.05)
     check.below("volume change by the solver", volume_changes(statistics)[0], 1e-5)
     check.below("volume change by remeshing", volume_changes(statistics)[1], 5e-3)
     check.below("repeated steps", statistics["Rejected steps"][-1], 5)

@@ -34,7 +34,7 @@ def main():
         check.below(f"{name}, volume change by the solver", solver, 1e-4)
         check.below(f"{name}, volume change by remeshing", remeshing, CASES[name])
         if name == "leaving_3d":
-            check.near("leaving_3d, volume that has left", statistics["Volume left the domain"][-1], 0.05, 0.02)
+            check.near("leaving_3d, volume that has left", statistics["Volume left the domain"][-1], 0.05, 0.2)
         if name in REPEATED:
             check.below(f"{name}, repeated steps", statistics["Rejected steps"][-1], REPEATED[name])
             inside = statistics["inside (m)"]  # no number where there is no fluid
