@@ -86,8 +86,9 @@ namespace Lahar
         const int side = sides.find(facet, side_of(facet, position));
         if ((separates(facet) && !meets(facet, side)) ||
             std::any_of(slots.begin(), slots.end(), [&](const int from) {
-              // In space it stays at a sharp edge: cells from face to face would cut it off.
-              return sides.goes_on(from, facet, side) || (dim == 2 && sides.is_round_edge(from, facet));
+              // To what it sticks to it sticks at an edge, too, which so holds its cells off the body.
+              return sides.goes_on(from, facet, side) ||
+                     (!walls.facets()[facet].sticks && sides.is_round_edge(from, facet));
             }))
           continue;
         attach(particle, facet, side, cloud);
