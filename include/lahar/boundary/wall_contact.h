@@ -22,10 +22,10 @@ namespace Lahar
    * A particle that passes through a facet on which fluid lands (WallFacet), or comes nearer than a tenth of its spacing, is
    * put on it and takes its normal velocity. It lies contact_offset times its spacing off the facet's plane, on its side,
    * and stays there wherever the plane goes. Where a surface is smooth (smooth_joint) it goes on from one facet to the next,
-   * over a bulge too, where it comes from behind the next facet's plane; in a sharp hollow corner it belongs to two or
-   * three. It leaves a facet over its rim, when it is isolated, or where the
-   * facet separates (WallSeparation); what moves away from such a facet does not land on it for being near, unless it comes
-   * along it from one that goes on smoothly into it.
+   * over a bulge too, where it comes from behind the next facet's plane (ContactSides); in a sharp hollow corner it belongs
+   * to two or three, and near the edge of a body to both faces if it sticks to them; where it slides it flows over the edge.
+   * It leaves a facet over its rim, when it is isolated, or where the facet separates (WallSeparation); what moves away from
+   * such a facet does not land on it for being near, unless it comes along it from one that goes on smoothly into it.
    */
   template <int dim>
   class WallContact
