@@ -5,6 +5,7 @@
 #include <lahar/boundary/free_flight.h>
 #include <lahar/boundary/solid_collision.h>
 #include <lahar/boundary/wall_contact.h>
+#include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/simulator.h>
 
@@ -22,15 +23,23 @@ namespace Lahar
                         materials.largest_density() * input.gravity);
     const TimeIntegration &integration = problem.time_integration();
     const auto before = account.end_step(integration.carried_time(), integration.force_lag(), fluid());
+    const std::map<unsigned int, double> left_out = volumes_of_left_out();
     problem.accept(region.particles, solids);
     advance_history(time_step);
     wall_step.carry_particles(old_position, region.particles);
     inlets.carry(old_position, region.particles);
     take_mean_forces(pressures);
+    std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(region.mesh, region.particles);
+    std::vector<double> growth(materials.n_fluids(), 0.);
+    for (const auto &[c, volume] : left_out)
+    {
+      if (region.particles.is_own(region.mesh.particle_cells()[c]))
+        growth[region.mesh.fluid(c)] += volumes[c] - volume;
+      volumes[c] = volume;
+    }
     if (input.geometry.has_fluid())
-      account.solved(before, fluid());
+      account.solved(before, growth, fluid());
 
-    const std::vector<double> volumes = VolumeCorrection<dim>::cell_volumes(region.mesh, region.particles);
     std::vector<bool> in_mesh(region.particles.size(), false);
     for (const unsigned int particle : region.mesh.particles())
       in_mesh[particle] = true;
@@ -53,6 +62,18 @@ namespace Lahar
     if (input.geometry.has_fluid())
       account.rearranged(fluid());
     account.counters.cells = count_on_ranks(region.mesh.own_cells(region.particles).size());
+  }
+
+
+
+  template <int dim>
+  std::map<unsigned int, double> Simulator<dim>::volumes_of_left_out() const
+  {
+    std::map<unsigned int, double> volumes;
+    for (const unsigned int c : problem.left_out_cells())
+      volumes[c] = body_volume<dim>(
+        corners_of<dim>(region.mesh.particle_cells()[c], region.particles.position));
+    return volumes;
   }
 
 

@@ -3,6 +3,8 @@
 #include <lahar/remeshing/volume_correction.h>
 #include <lahar/simulator/accounts.h>
 
+#include <numeric>
+
 namespace Lahar
 {
   template <int dim>
@@ -82,13 +84,16 @@ namespace Lahar
 
 
   template <int dim>
-  void Accounts<dim>::solved(const BeforeMove &before, const Fluid &fluid)
+  void Accounts<dim>::solved(const BeforeMove &before, const std::vector<double> &left_out,
+                             const Fluid &fluid)
   {
-    volume.solved(volume_of(fluid), fluid.inlets.volume());
+    std::vector<double> growth(left_out.size());
+    Utilities::MPI::sum(left_out, fluid.communicator, growth);
+    volume.solved(volume_of(fluid), fluid.inlets.volume(), std::accumulate(growth.begin(), growth.end(), 0.));
     std::vector<double> inflow;
     for (unsigned int f = 0; f < fluid.materials.n_fluids(); ++f)
       inflow.push_back(fluid.inlets.volume(f));
-    fluids.solved(volumes_of(fluid), inflow);
+    fluids.solved(volumes_of(fluid), inflow, growth);
     momentum.solved(momentum_of(before.velocities, fluid) - before.momentum);
     momentum.set(momentum_of(fluid));
   }

@@ -20,10 +20,10 @@ namespace Lahar
 
 
   template <int dim>
-  void FluidAccounts<dim>::solved(const Volumes &volumes, const Volumes &inflow)
+  void FluidAccounts<dim>::solved(const Volumes &volumes, const Volumes &inflow, const Volumes &left_out)
   {
     for (unsigned int f = 0; f < accounts.size(); ++f)
-      accounts[f].solved(volumes[f], inflow[f]);
+      accounts[f].solved(volumes[f], inflow[f], left_out[f]);
   }
 
 

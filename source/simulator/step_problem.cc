@@ -325,6 +325,18 @@ namespace Lahar
 
 
   template <int dim>
+  std::vector<unsigned int> StepProblem<dim>::left_out_cells() const
+  {
+    std::vector<unsigned int> cells;
+    for (unsigned int c = 0; c < mesh->n_cells(); ++c)
+      if (fluid.state.left_out[c])
+        cells.push_back(system.cells()[c]);
+    return cells;
+  }
+
+
+
+  template <int dim>
   void StepProblem<dim>::accept(ParticleCloud<dim> &cloud, Solids<dim> &solids)
   {
     solid.accept(of_solids(system.solid_residual()), solids);

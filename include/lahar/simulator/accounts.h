@@ -65,8 +65,9 @@ namespace Lahar
     /// see MomentumAccount.
     BeforeMove end_step(const double carried_time, const double lag, const Fluid &fluid);
 
-    /// The particles have moved as the step says.
-    void solved(const BeforeMove &before, const Fluid &fluid);
+    /// The particles have moved as the step says. @param left_out by how much this rank's own cells that were left out of the
+    /// equations have grown, by fluid, m^dim.
+    void solved(const BeforeMove &before, const std::vector<double> &left_out, const Fluid &fluid);
 
     /// What has moved or come and gone since the last event did so without a force.
     void rearranged(const Fluid &fluid);

@@ -14,7 +14,7 @@ namespace Lahar
    * Nothing in the fluid can keep such a simplex from becoming flat, and a solid does not stop at one of them: its
    * increments would be cut in every iteration. Once the increments have wanted to flatten it in five iterations it is
    * left out: it exerts no force for the rest of the time step, whatever becomes of its volume. The remeshing that
-   * follows replaces it.
+   * follows replaces it, and gives back what it has gained or lost.
    */
   class CrushedCells
   {

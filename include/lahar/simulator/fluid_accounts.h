@@ -28,7 +28,7 @@ namespace Lahar
 
     void begin(const std::vector<std::string> &fluid_names, const Volumes &volumes);
 
-    void solved(const Volumes &volumes, const Volumes &inflow);
+    void solved(const Volumes &volumes, const Volumes &inflow, const Volumes &left_out);
     void remeshed(const Volumes &volumes);
     /// After interfaces have moved to give back what was exchanged; counts with remeshing.
     void corrected(const Volumes &volumes);

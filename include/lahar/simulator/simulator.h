@@ -20,6 +20,7 @@
 #include <lahar/simulator/step_problem.h>
 #include <lahar/solid/solids.h>
 
+#include <map>
 #include <memory>
 
 namespace Lahar
@@ -117,6 +118,8 @@ namespace Lahar
     void check_movements() const;
     /// @param wall_step the walls in the step that was solved.
     void move_particles(const double time_step, const WallStep<dim> &wall_step);
+    /// Of the cells of the region's mesh that the solved step left out of the equations, m^dim.
+    std::map<unsigned int, double> volumes_of_left_out() const;
     /// After a step that was solved: what the fluid carries along of its past, structure and multipliers.
     void advance_history(const double time_step);
     /// Forces of walls and solids on the fluid, see TimeIntegration::mean_force().

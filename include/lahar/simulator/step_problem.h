@@ -191,6 +191,9 @@ namespace Lahar
     /// solids.
     void accept(ParticleCloud<dim> &cloud, Solids<dim> &solids);
 
+    /// The cells of the region's mesh that the step has left out of the equations, see CrushedCells.
+    std::vector<unsigned int> left_out_cells() const;
+
     /// Forces on the fluid, N.
     struct Reactions
     {

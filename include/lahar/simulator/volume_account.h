@@ -26,10 +26,12 @@ namespace Lahar
       initial = present = volume;
     }
 
-    /// After the particles of a step, in which @p inflow came in, have moved with the mesh.
-    void solved(const double volume, const double inflow)
+    /// After the particles of a step, in which @p inflow came in, have moved with the mesh. Cells that were left out of the
+    /// equations have grown by @p left_out: that counts with remeshing, which replaces them.
+    void solved(const double volume, const double inflow, const double left_out)
     {
-      by_solver += change_to(volume) - inflow;
+      by_solver += change_to(volume) - inflow - left_out;
+      by_remeshing += left_out;
       came_in += inflow;
     }
 
