@@ -164,7 +164,7 @@ def test(name):
             whole[n_ranks] = results(directory)
             if n_ranks > 1:
                 compare(f"{name}: {n_ranks} ranks and 1", whole[1], whole[n_ranks])
-        for n_ranks in RANKS[:2]:
+        for n_ranks in RANKS:
             directory = case(parent, f"parts-{n_ranks}", CASES[name])
             columns = whole[n_ranks][0]
             middle = MIDDLE_OF_INFLOW if name == "inflow" else MIDDLE
