@@ -20,7 +20,8 @@ namespace Lahar
   namespace
   {
     /// A fluid particle this near to a wall particle, over the shortest edge, gives way even on the free surface; so does a
-    /// particle of the free surface or of a wall to one on an interface, and of two sheets of interfaces one to the other.
+    /// particle of the free surface or of a wall to one on an interface, and of two sheets of interfaces one to the other;
+    /// and in the plane of one that has landed and one of the free surface the first at a bed, the other one at its rim.
     constexpr double surface_to_wall = 0.3;
 
     /// What is on an interface is above all that is not.
@@ -42,16 +43,6 @@ namespace Lahar
             walls.is_above(facet, position, 0.))
           return true;
       return false;
-    }
-
-    /// Whether the surface between the neighbours @p beside of a particle that gives way to @p other, which is none of them but
-    /// lies across a thin layer, would be longer than @p longest and be divided again.
-    template <int dim>
-    bool would_come_back(const ParticleCloud<dim> &cloud, const std::vector<unsigned int> &beside,
-                         const unsigned int other, const double longest)
-    {
-      return !beside.empty() && std::find(beside.begin(), beside.end(), other) == beside.end() &&
-             cloud.position[beside[0]].distance(cloud.position[beside[1]]) > longest;
     }
 
     using Edge = std::pair<unsigned int, unsigned int>;
@@ -146,8 +137,8 @@ namespace Lahar
         if (length < surface_to_wall * shortest)
           result.push_back({inside, {}, {inside == a ? b : a}, {}});
       }
-      else if (rank[inside] == dim + 1 && length >= surface_to_wall * shortest &&
-               would_come_back(cloud, chains[0].beside(inside), inside == a ? b : a, longest * h))
+      else if (dim == 2 && rank[inside] > 0 && rank[inside] < first &&
+               cloud.in_contact(a) != cloud.in_contact(b) && length >= surface_to_wall * shortest)
         continue;
       else if (rank[a] != rank[b] || rank[b] == 0 || (dim == 3 && rank[b] == first) ||
                (rank[b] % first > 0 && rank[b] % first <= dim && are_on_one_surface(a, b, cloud, walls)))

@@ -23,7 +23,9 @@ namespace Lahar
    * its shape. Two particles at the end of one edge of a plane free surface are merged into one, which is placed so
    * that the area under the surface stays, with rotational symmetry the volume. Particles nearer than h/10 to a wall
    * that carries particles go: Delaunay simplices between them and the wall would be flat, and those through a thin
-   * wall would take their place. Edges longer than c_max h get a particle in their middle.
+   * wall would take their place. In the plane a particle that has landed and one of the free surface come as near to each
+   * other as 0.3 c_min h: the bed and the rim of a thin layer stay. Edges longer than c_max h get a particle in their
+   * middle.
    *
    * In space a long edge stays as it is where that particle would do harm, see harmful_midpoints().
    *

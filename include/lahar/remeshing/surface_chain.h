@@ -61,14 +61,6 @@ namespace Lahar
       return {previous, a, b, next};
     }
 
-    /// The neighbours of the particle @p i; empty if it has not just one on each side.
-    std::vector<unsigned int> beside(const unsigned int i) const
-    {
-      if (links.empty() || std::max(links[i][0], links[i][1]) >= links.size())
-        return {};
-      return {links[i][0], links[i][1]};
-    }
-
   private:
     void add(const unsigned int from, const unsigned int to)
     {
