@@ -100,7 +100,7 @@ def draw_arrested_dam_break(runs):
     left.axhline(FRONT_OF_NEXT_ORDER, color="#009E73", linewidth=0.8, linestyle="--")
     left.set(xlabel="$t$ (s)", ylabel="front (m)")
     mesh = read_vtu(read_pvd(runs / "arrested_dam_break" / "solution.pvd")[-1][1])
-    right.triplot(*mesh.points.T, mesh.triangles, linewidth=0.3)
+    right.triplot(*mesh.points.T, mesh.triangles, linewidth=0.1)
     x = np.linspace(0., EXACT_FRONT, 300)
     right.plot(x, 0.1 * np.sqrt(2. * YIELD_NUMBER * (EXACT_FRONT - x)), color="#D55E00", label="lubrication theory")
     slope = YIELD_NUMBER * 0.1**2
