@@ -74,11 +74,14 @@ namespace Lahar
   template <int dim>
   void StepProblem<dim>::impose(IndexVector<LocalNode, Tensor<1, dim>> &velocities) const
   {
+    // Those of walls at rest, too: what had to slide along one and sticks to it now must stop.
     for (const LocalNode node : constraints.indices())
-      if (const NodeConstraint<dim> &prescribed = constraints[node]; prescribed.moves)
-        for (unsigned int a = 0; a < prescribed.n_fixed; ++a)
-          velocities[node] += ((prescribed.velocity - velocities[node]) * prescribed.frame[a]) *
-                              prescribed.frame[a];
+    {
+      const NodeConstraint<dim> &prescribed = constraints[node];
+      for (unsigned int a = 0; a < prescribed.n_fixed; ++a)
+        velocities[node] += ((prescribed.velocity - velocities[node]) * prescribed.frame[a]) *
+                            prescribed.frame[a];
+    }
     for (const auto &[node, i] : numbering.solid_nodes())
       velocities[node] = solid.mean_velocity(i); // the prescribed ones
   }
