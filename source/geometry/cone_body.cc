@@ -67,7 +67,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConeBody::fill(const MeshSize<3> &h) const
+  std::vector<Point<3>> ConeBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     std::vector<Point<3>> contour;
     PointSet<3> places;
@@ -100,10 +100,10 @@ namespace Lahar
       // The base and the top are discs; all points of the ring are corners, which filling keeps.
       if (is_disc)
         ring = fill_polygon(
-          ring, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels());
+          ring, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels(), communicator);
       for (const Point<2> &p : ring)
         contour.push_back(in_space(p));
     }
-    return fill_inside(*this, contour, h);
+    return fill_inside(*this, contour, h, communicator);
   }
 } // namespace Lahar

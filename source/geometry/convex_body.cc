@@ -121,13 +121,13 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConvexBody::fill(const MeshSize<3> &h) const
+  std::vector<Point<3>> ConvexBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     std::vector<Point<3>> contour;
     for (const PlanePolygon &face : faces)
       for (const Point<3> &p : face.fill(h))
         contour.push_back(p);
-    return fill_inside(*this, contour, h);
+    return fill_inside(*this, contour, h, communicator);
   }
 
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/graded_points.h>
 #include <lahar/geometry/lattice.h>
 #include <lahar/geometry/point_set.h>
+#include <lahar/geometry/smoothing.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,7 @@ namespace Lahar
     /// Lattice points stay away from the contour by this times h.
     constexpr double contour_clearance = 0.6;
 
+    /// Sweeps of the smoothing.
     constexpr unsigned int n_sweeps = 5;
 
     using Place = std::array<unsigned int, 3>;
@@ -99,41 +100,12 @@ namespace Lahar
       double half = 0.5 * lattice_constant * h; ///< of the lattice constant
       std::vector<Place> places;
     };
-
-    /// Move points towards the mean of their Delaunay neighbours, a few times, weighted by h_0/h, h_0 the largest h: all
-    /// but the first @p n_fixed where h changes with the place, those near the contour where it is the same everywhere.
-    void smooth(const FluidBody<3> &body, const unsigned int n_fixed, const MeshSize<3> &h,
-                std::vector<Point<3>> &points)
-    {
-      for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
-      {
-        std::vector<Tensor<1, 3>> sum(points.size());
-        std::vector<double> weights(points.size(), 0.);
-        for (const Simplex<3> &cell : delaunay(points))
-          for (unsigned int a = 0; a < 4; ++a)
-            for (unsigned int b = 0; b < 4; ++b)
-              if (a != b)
-              {
-                const Point<3> &p = points[cell[a]], &q = points[cell[b]];
-                const double weight = h.coarsest() / h(p + 0.5 * (q - p));
-                sum[cell[a]] += weight * Tensor<1, 3>(q);
-                weights[cell[a]] += weight;
-              }
-        for (unsigned int i = n_fixed; i < points.size(); ++i)
-        {
-          const Point<3> mean(sum[i] / weights[i]);
-          if ((!h.is_uniform() || body.signed_distance(points[i]) > -2. * h.coarsest()) &&
-              body.signed_distance(mean) < -0.5 * h(mean))
-            points[i] = mean;
-        }
-      }
-    }
   } // namespace
 
 
 
   std::vector<Point<3>> fill_inside(const FluidBody<3> &body, const std::vector<Point<3>> &contour,
-                                    const MeshSize<3> &h)
+                                    const MeshSize<3> &h, const MPI_Comm &communicator)
   {
     std::vector<Point<3>> points;
     PointSet<3> places;
@@ -148,7 +120,12 @@ namespace Lahar
         return BodyLattice(body, size, is_wanted).points();
       },
       points);
-    smooth(body, n_contour, h, points);
+    // Where h is the same everywhere, those near the contour move.
+    const auto may_move = [&](const unsigned int i, const Point<3> &p) {
+      return i >= n_contour && (!h.is_uniform() || body.signed_distance(p) > -2. * h.coarsest());
+    };
+    const auto may_stand = [&](const Point<3> &p) { return body.signed_distance(p) < -0.5 * h(p); };
+    smooth<3>({n_sweeps, h, h.coarsest(), may_move, may_stand}, communicator, points);
     return points;
   }
 } // namespace Lahar

@@ -212,7 +212,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> LayerBody::fill(const MeshSize<3> &h) const
+  std::vector<Point<3>> LayerBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     const auto plan_h = [&](const Point<2> &p) { return h(at(p).place) / slope; };
     std::vector<double> levels;
@@ -220,7 +220,7 @@ namespace Lahar
       levels.push_back(level / slope);
     const std::vector<Point<2>> rim = plan.contour_points(plan_h);
     const std::vector<Point<2>> all = fill_contour(
-      rim, [&](const Point<2> &p) { return -plan.signed_distance(p); }, plan_h, levels);
+      rim, [&](const Point<2> &p) { return -plan.signed_distance(p); }, plan_h, levels, communicator);
 
     std::vector<Point<3>> ground_points, sides, surface;
     for (unsigned int i = 0; i < all.size(); ++i)
@@ -236,6 +236,6 @@ namespace Lahar
     }
     ground_points.insert(ground_points.end(), surface.begin(), surface.end());
     ground_points.insert(ground_points.end(), sides.begin(), sides.end());
-    return fill_inside(*this, ground_points, h);
+    return fill_inside(*this, ground_points, h, communicator);
   }
 } // namespace Lahar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/polygon.h>
+#include <lahar/geometry/smoothing.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -37,6 +37,9 @@ namespace Lahar
 
     /// What is left of the contour when the points of a lattice are looked for, over h.
     constexpr double grid_clearance = 0.55;
+
+    /// Sweeps of the smoothing.
+    constexpr unsigned int n_sweeps = 10;
 
     /// A lattice of equilateral triangles in the box around a contour.
     class ContourLattice
@@ -124,29 +127,6 @@ namespace Lahar
       std::array<std::vector<double>, 2> x; ///< in even and in odd rows
       std::vector<Place> places;
     };
-
-    /// Move every point but the first @p n_fixed to the mean of its Delaunay neighbours, a few times. The mean has the
-    /// weights h_0/h, h_0 the @p coarsest h, so that edges along a line become proportional to h.
-    void smooth(std::vector<Point<2>> &points, const unsigned int n_fixed, const SizeFunction<2> &h,
-                const double coarsest)
-    {
-      for (unsigned int sweep = 0; sweep < 10; ++sweep)
-      {
-        std::vector<Tensor<1, 2>> sum(points.size());
-        std::vector<double> weights(points.size(), 0.);
-        for (const Simplex<2> &cell : delaunay(points))
-          for (unsigned int c = 0; c < 3; ++c)
-            for (unsigned int other = 1; other < 3; ++other)
-            {
-              const Point<2> &a = points[cell[c]], &b = points[cell[(c + other) % 3]];
-              const double weight = coarsest / h(a + 0.5 * (b - a));
-              sum[cell[c]] += weight * Tensor<1, 2>(b);
-              weights[cell[c]] += weight;
-            }
-        for (unsigned int i = n_fixed; i < points.size(); ++i)
-          points[i] = Point<2>(sum[i] / weights[i]);
-      }
-    }
 
     /// Where the pieces of the segment from @p a to @p b begin that are about h long, from 0 to 1.
     std::vector<double> divide(const Point<2> &a, const Point<2> &b, const SizeFunction<2> &h)
@@ -258,7 +238,8 @@ namespace Lahar
 
 
   std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
-                                     const SizeFunction<2> &h, const std::vector<double> &levels)
+                                     const SizeFunction<2> &h, const std::vector<double> &levels,
+                                     const MPI_Comm &communicator)
   {
     std::vector<Point<2>> points = contour;
     append_graded_lattice<2>(
@@ -267,14 +248,16 @@ namespace Lahar
         return ContourLattice(contour, depth, size, is_wanted).points();
       },
       points);
-    smooth(points, contour.size(), h, levels.back());
+    const auto may_move  = [&](const unsigned int i, const Point<2> &) { return i >= contour.size(); };
+    const auto may_stand = [](const Point<2> &) { return true; };
+    smooth<2>({n_sweeps, h, levels.back(), may_move, may_stand}, communicator, points);
     return points;
   }
 
 
 
   std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
-                                     const std::vector<double> &levels)
+                                     const std::vector<double> &levels, const MPI_Comm &communicator)
   {
     return fill_contour(
       sample_polyline(polygon, h, true),
@@ -282,7 +265,7 @@ namespace Lahar
         const double distance = distance_to_contour(polygon, p);
         return is_inside(polygon, p) ? distance : -distance;
       },
-      h, levels);
+      h, levels, communicator);
   }
 
 

@@ -54,9 +54,9 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> PolygonBody::fill(const MeshSize<2> &h) const
+  std::vector<Point<2>> PolygonBody::fill(const MeshSize<2> &h, const MPI_Comm &communicator) const
   {
-    return fill_polygon(contour, h, h.levels());
+    return fill_polygon(contour, h, h.levels(), communicator);
   }
 
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/facet_geometry.h>
-#include <lahar/geometry/point_set.h>
 #include <lahar/geometry/sharp_edges.h>
+#include <lahar/initial/contact_at_start.h>
 #include <lahar/initial/initial_geometry.h>
-#include <lahar/particles/first_owner.h>
-#include <lahar/particles/fluid_set.h>
 
 #include <algorithm>
 #include <limits>
@@ -21,19 +19,6 @@ namespace Lahar
       std::ostringstream text;
       text << '(' << p << ')';
       return text.str();
-    }
-
-    /// What lies nearer to a wall or to a solid than this times h at the start is in contact with it: the fluid reaches
-    /// to it.
-    constexpr double contact = 0.1;
-
-    template <int dim>
-    bool is_near(const Walls<dim> &walls, const Point<dim> &point, const double distance)
-    {
-      for (const unsigned int f : walls.near(point, distance))
-        if (std::abs(walls.signed_distance(f, point)) < distance && walls.is_above(f, point, distance))
-          return true;
-      return false;
     }
 
     /// The point of the walls nearest to @p point, of which some are nearer than @p distance or just beyond.
@@ -213,117 +198,6 @@ namespace Lahar
           }))
         points.emplace_back(p, boundary);
     return points;
-  }
-
-
-
-  template <int dim>
-  void InitialGeometry<dim>::create(const MeshSize<dim> &h, const SolidContour<dim> &solids,
-                                    ParticleCloud<dim> &cloud, Walls<dim> &walls,
-                                    const unsigned int n_ranks) const
-  {
-    for (const Fluid<dim> &fluid : fluids)
-      fluid.shape->check_scale(h.coarsest());
-    check_body_sizes(h.coarsest());
-    check_number_of_particles(h);
-    check_inflows(h.coarsest());
-    const Seeds seeds = place_seeds(h, solids, cloud, walls);
-    if (has_fluid() &&
-        std::find(seeds.kind.begin(), seeds.kind.end(), ParticleKind::fluid) == seeds.kind.end())
-      throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
-
-    const std::size_t n_shared = cloud.size(), n = seeds.position.size();
-    const auto is_here = [&](const std::size_t i) { return first_owner(i, n, n_ranks) == cloud.rank; };
-    for (std::size_t i = n_shared; i < n; ++i)
-      if (is_here(i))
-      {
-        const Point<dim> &p = seeds.position[i];
-        cloud.append(p, seeds.kind[i], h(p), seeds.part[i]);
-        cloud.number.back() = i;
-        if (seeds.kind[i] == ParticleKind::fluid)
-        {
-          cloud.part.back()     = fluid_set(material(seeds.part[i]));
-          cloud.velocity.back() = fluids[fluid_of[seeds.part[i]]].initial_velocity(p);
-        }
-      }
-    cloud.next_number                    = n;
-    std::vector<WallFacet<dim>> surfaces = solids.wall_facets_that_land(true);
-    surfaces.insert(surfaces.end(), walls.facets().begin(), walls.facets().end());
-    mark_interfaces(Walls<dim>(surfaces), cloud);
-  }
-
-
-
-  template <int dim>
-  typename InitialGeometry<dim>::Seeds
-  InitialGeometry<dim>::place_seeds(const MeshSize<dim> &h, const SolidContour<dim> &solids,
-                                    const ParticleCloud<dim> &cloud, Walls<dim> &walls) const
-  {
-    Fillings fillings = fill_bodies(h);
-    check_overlaps(fillings, h.coarsest());
-    check_common_faces(fillings, h.coarsest());
-    check_solids(fillings, solids, h.coarsest());
-
-    Seeds seeds{cloud.position, cloud.kind, cloud.part};
-    PointSet<dim> places;
-    std::vector<unsigned int> particle_at; // by place
-    const auto insert = [&](const Point<dim> &p, const unsigned int particle) {
-      places.insert(p);
-      particle_at.push_back(particle);
-    };
-    for (unsigned int i = 0; i < cloud.size(); ++i)
-      if (cloud.kind[i] != ParticleKind::slick_solid)
-        insert(cloud.position[i], i);
-    const auto append = [&](const Point<dim> &p, const ParticleKind kind, const unsigned int part) {
-      insert(p, seeds.position.size());
-      seeds.position.push_back(p);
-      seeds.kind.push_back(kind);
-      seeds.part.push_back(part);
-    };
-    // Two walls may share points; what they share with an inflow is theirs.
-    const auto points = create_walls(h, fillings, solids, walls);
-    for (const bool comes_in : {false, true})
-      for (const auto &[p, boundary] : points)
-        if ((boundaries[boundary].inflow() != nullptr) == comes_in && places.near(p, contact * h(p)).empty())
-          append(p, ParticleKind::wall, boundary);
-
-    std::vector<WallFacet<dim>> covered = solids.wall_facets_that_land(false),
-                                open    = solids.wall_facets_that_land(true);
-    for (const WallFacet<dim> &facet : walls.facets())
-      (facet.lands ? open : covered).push_back(facet);
-    const Walls<dim> covered_facets(covered), open_facets(open);
-    // A point near a particle of the body's region is none itself, but for points of the body's own, whose two sides may
-    // come near to each other. Corners come first: they hold the shape.
-    const auto add = [&](const unsigned int b, Point<dim> p, const double clearance) {
-      const FluidBody<dim> &body = *bodies[b];
-      p                          = body.onto_walls(p, open_facets, h(p), contact * h(p) + body.roughness());
-      const auto is_beyond_wall  = [&](const Point<dim> &q) {
-        return !open_facets.crossed(q, p, 0., touching * h(p)).empty();
-      };
-      if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
-        return;
-      for (const unsigned int place : places.near(p, clearance * h(p)))
-      {
-        const unsigned int i = particle_at[place];
-        const bool is_fluid  = seeds.kind[i] == ParticleKind::fluid;
-        if (!is_beyond_wall(seeds.position[i]) &&
-            (is_fluid && seeds.part[i] == b ? seeds.position[i].distance(p) < contact * h(p)
-                                            : body.signed_distance(seeds.position[i]) <
-                                                (is_fluid ? touching : contact) * h(p) + body.roughness()))
-          return;
-      }
-      append(p, ParticleKind::fluid, b);
-    };
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const Point<dim> &p : bodies[b]->corners())
-        add(b, p, contact);
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-    {
-      for (const Point<dim> &p : fillings[b])
-        add(b, p, 0.3);
-      std::vector<Point<dim>>().swap(fillings[b]);
-    }
-    return seeds;
   }
 
 

@@ -117,12 +117,13 @@ namespace Lahar
 
 
   template <int dim>
-  typename InitialGeometry<dim>::Fillings InitialGeometry<dim>::fill_bodies(const MeshSize<dim> &h) const
+  typename InitialGeometry<dim>::Fillings
+  InitialGeometry<dim>::fill_bodies(const MeshSize<dim> &h, const MPI_Comm &communicator) const
   {
     Fillings result;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      std::vector<Point<dim>> points = bodies[b]->fill(h);
+      std::vector<Point<dim>> points = bodies[b]->fill(h, communicator);
       const auto crowds              = [&](const Point<dim> &point, const unsigned int other) {
         const double reach = interface_clearance * h(point);
         return material(other) != material(b) && bodies[other]->box().contains(point, reach) &&
@@ -133,7 +134,7 @@ namespace Lahar
         points.erase(std::remove_if(points.begin(), points.end(),
                                     [&](const Point<dim> &point) { return crowds(point, other); }),
                      points.end());
-      result.push_back(points);
+      result.push_back(std::move(points));
     }
     return result;
   }
@@ -231,8 +232,10 @@ namespace Lahar
   template std::vector<FluidLaw *> InitialGeometry<3>::laws();
   template std::vector<std::string> InitialGeometry<2>::fluid_names() const;
   template std::vector<std::string> InitialGeometry<3>::fluid_names() const;
-  template InitialGeometry<2>::Fillings InitialGeometry<2>::fill_bodies(const MeshSize<2> &) const;
-  template InitialGeometry<3>::Fillings InitialGeometry<3>::fill_bodies(const MeshSize<3> &) const;
+  template InitialGeometry<2>::Fillings InitialGeometry<2>::fill_bodies(const MeshSize<2> &,
+                                                                        const MPI_Comm &) const;
+  template InitialGeometry<3>::Fillings InitialGeometry<3>::fill_bodies(const MeshSize<3> &,
+                                                                        const MPI_Comm &) const;
   template void InitialGeometry<2>::mark_interfaces(const Walls<2> &, ParticleCloud<2> &) const;
   template void InitialGeometry<3>::mark_interfaces(const Walls<3> &, ParticleCloud<3> &) const;
   template void InitialGeometry<2>::put_on_interfaces(ParticleCloud<2> &) const;

@@ -22,6 +22,17 @@ namespace Lahar
           values[n++] = values[i];
       values.resize(n);
     }
+
+    /// Of the values those of @p order, in this order.
+    template <typename T>
+    void select(std::vector<T> &values, const std::vector<unsigned int> &order)
+    {
+      std::vector<T> selected;
+      selected.reserve(order.size());
+      for (const unsigned int i : order)
+        selected.push_back(values[i]);
+      values.swap(selected);
+    }
   } // namespace
 
 
@@ -101,23 +112,7 @@ namespace Lahar
       if (!removed[i])
         new_index[i] = n++;
 
-    compress(position, removed);
-    compress(velocity, removed);
-    compress(acceleration, removed);
-    compress(algorithmic_acceleration, removed);
-    compress(pressure, removed);
-    compress(pressure_rate, removed);
-    compress(owed_volume, removed);
-    compress(reaction, removed);
-    compress(friction, removed);
-    for (std::vector<double> &of_fluid : structure)
-      compress(of_fluid, removed);
-    compress(kind, removed);
-    compress(part, removed);
-    compress(spacing, removed);
-    compress(contact_facets, removed);
-    compress(number, removed);
-    compress(owner, removed);
+    for_each_array([&removed](auto &values) { compress(values, removed); });
     return new_index;
   }
 
@@ -167,27 +162,42 @@ namespace Lahar
 
 
   template <int dim>
-  void ParticleCloud<dim>::reinit(const std::vector<double> &records)
+  void ParticleCloud<dim>::add(std::vector<std::vector<double>> records)
   {
-    const unsigned int size = record_size();
-    AssertThrow(records.size() % size == 0, ExcMessage("Records of particles are not whole."));
-    const auto number_of = [&](const std::size_t record) { return records[(record + 1) * size - 2]; };
-    std::vector<std::size_t> order(records.size() / size);
+    const unsigned int size_of_record = record_size();
+    std::size_t i = size(), n_all = i;
+    for (const std::vector<double> &some : records)
+    {
+      AssertThrow(some.size() % size_of_record == 0, ExcMessage("Records of particles are not whole."));
+      n_all += some.size() / size_of_record;
+    }
+    for_each_array([n_all](auto &values) { values.resize(n_all); });
+    for (std::vector<double> &some : records)
+    {
+      for (std::size_t begin = 0; begin < some.size(); begin += size_of_record)
+        set(i++, &some[begin]);
+      std::vector<double>().swap(some);
+    }
+
+    std::vector<unsigned int> order(n_all);
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
-                     [&](const std::size_t a, const std::size_t b) { return number_of(a) < number_of(b); });
+                     [&](const unsigned int a, const unsigned int b) { return number[a] < number[b]; });
     order.erase(std::unique(order.begin(), order.end(),
-                            [&](const std::size_t a, const std::size_t b) {
-                              return number_of(a) == number_of(b);
+                            [&](const unsigned int a, const unsigned int b) {
+                              return number[a] == number[b];
                             }),
                 order.end());
-    ParticleCloud<dim> cloud;
-    cloud.structure.resize(structure.size());
-    for (const std::size_t record : order)
-      cloud.set(cloud.append(Point<dim>(), ParticleKind::fluid, 0.), &records[record * size]);
-    cloud.rank        = rank;
-    cloud.next_number = next_number;
-    *this             = std::move(cloud);
+    for_each_array([&order](auto &values) { select(values, order); }); // one copy at a time
+  }
+
+
+
+  template <int dim>
+  void ParticleCloud<dim>::reinit(const std::vector<double> &records)
+  {
+    for_each_array([](auto &values) { values.clear(); });
+    add({records});
   }
 
 

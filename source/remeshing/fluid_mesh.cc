@@ -2,7 +2,7 @@
 
 #include <lahar/geometry/symmetry.h>
 #include <lahar/remeshing/fluid_mesh.h>
-#include <lahar/utilities/sort_in_buckets.h>
+#include <lahar/utilities/in_buckets.h>
 
 #include <algorithm>
 
@@ -164,33 +164,42 @@ namespace Lahar
       return {{3, 2, 1, 0}};
     }
 
-    /// Whether a face has one cell only, for the faces of the first cell, of the second one and so on.
+    /// The numbers of the faces that have one cell only, ascending: (dim+1) times the cell's, and the place among
+    /// opposite_corners().
     template <int dim>
-    std::vector<bool> find_single_faces(const std::vector<Simplex<dim>> &cells, const unsigned int n_vertices)
+    std::vector<unsigned int> find_single_faces(const std::vector<Simplex<dim>> &cells,
+                                                const unsigned int n_vertices)
     {
+      const auto face = [&cells](const unsigned int number) {
+        const unsigned int opposite = opposite_corners<dim>()[number % (dim + 1)];
+        std::array<unsigned int, dim> vertices;
+        for (unsigned int c = 0, n = 0; c <= dim; ++c)
+          if (c != opposite)
+            vertices[n++] = cells[number / (dim + 1)][c];
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
+      };
+      const auto for_each = [&](const auto &visit) {
+        for (unsigned int number = 0; number < cells.size() * (dim + 1); ++number)
+          visit(face(number)[0], number);
+      };
       // Sort the faces by their vertices; each comes once or twice.
-      using Face = std::pair<std::array<unsigned int, dim>, unsigned int>;
-      std::vector<Face> faces;
-      faces.reserve(cells.size() * (dim + 1));
-      for (const Simplex<dim> &cell : cells)
-        for (const unsigned int opposite : opposite_corners<dim>())
-        {
-          std::array<unsigned int, dim> vertices;
-          for (unsigned int c = 0, n = 0; c <= dim; ++c)
-            if (c != opposite)
-              vertices[n++] = cell[c];
-          std::sort(vertices.begin(), vertices.end());
-          faces.emplace_back(vertices, faces.size());
-        }
-      sort_in_buckets(faces, n_vertices, [](const Face &face) { return face.first[0]; });
-
-      std::vector<bool> is_single(faces.size(), false);
-      for (unsigned int i = 0; i < faces.size(); ++i)
-        if (i + 1 < faces.size() && faces[i].first == faces[i + 1].first)
-          ++i;
-        else
-          is_single[faces[i].second] = true;
-      return is_single;
+      std::vector<unsigned int> single;
+      std::vector<std::pair<std::array<unsigned int, dim>, unsigned int>> faces;
+      in_buckets(n_vertices, for_each,
+                 [&](const unsigned int, const std::vector<unsigned int> &face_numbers) {
+                   faces.clear();
+                   for (const unsigned int number : face_numbers)
+                     faces.emplace_back(face(number), number);
+                   std::sort(faces.begin(), faces.end());
+                   for (unsigned int i = 0; i < faces.size(); ++i)
+                     if (i + 1 < faces.size() && faces[i].first == faces[i + 1].first)
+                       ++i;
+                     else
+                       single.push_back(faces[i].second);
+                 });
+      std::sort(single.begin(), single.end());
+      return single;
     }
   } // namespace
 
@@ -216,17 +225,15 @@ namespace Lahar
     };
 
     faces.clear();
-    const std::vector<bool> is_single = find_single_faces<dim>(vertex_cells, n_vertices());
-    for (unsigned int number = 0; number < is_single.size(); ++number)
-      if (is_single[number])
-      {
-        const unsigned int c = number / (dim + 1), opposite = opposite_corners<dim>()[number % (dim + 1)];
-        bool has_fluid = false;
-        for (unsigned int v = 0; v <= dim; ++v)
-          has_fluid = has_fluid ||
-                      (v != opposite && cloud.kind[cells_of_particles[c][v]] == ParticleKind::fluid);
-        faces.push_back({c, opposite, has_fluid && !share_facet(c, opposite)});
-      }
+    for (const unsigned int number : find_single_faces<dim>(vertex_cells, n_vertices()))
+    {
+      const unsigned int c = number / (dim + 1), opposite = opposite_corners<dim>()[number % (dim + 1)];
+      bool has_fluid = false;
+      for (unsigned int v = 0; v <= dim; ++v)
+        has_fluid = has_fluid ||
+                    (v != opposite && cloud.kind[cells_of_particles[c][v]] == ParticleKind::fluid);
+      faces.push_back({c, opposite, has_fluid && !share_facet(c, opposite)});
+    }
   }
 
 

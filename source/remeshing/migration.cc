@@ -4,6 +4,7 @@
 
 #include <lahar/particles/first_owner.h>
 #include <lahar/remeshing/migration.h>
+#include <lahar/utilities/send_arrays.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,22 +16,6 @@ namespace Lahar
   {
     /// A rank may have this times the mean work before space is divided anew.
     constexpr double largest_share = 1.05;
-
-    /// What one rank tells another: particles, cells by the numbers of their corners and of their fluids, and values of
-    /// cells.
-    struct Parcel
-    {
-      std::vector<double> particles;
-      std::vector<std::uint64_t> cells;
-      std::vector<std::uint64_t> keys; ///< see CellTable
-      std::vector<double> values;
-
-      template <typename Archive>
-      void serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &particles &cells &keys &values;
-      }
-    };
   } // namespace
 
 
@@ -148,6 +133,57 @@ namespace Lahar
 
 
 
+  namespace
+  {
+    /// Particles and cells for other ranks, or from them, by rank.
+    template <int dim>
+    struct Parcels
+    {
+      std::map<unsigned int, std::vector<double>> particles; ///< records
+      std::map<unsigned int, std::vector<unsigned int>>
+        cells; ///< places of the corners among these, and the fluid
+      std::map<unsigned int, std::vector<std::uint64_t>> keys; ///< of cells with values, see CellTable
+      std::map<unsigned int, std::vector<double>> values;
+
+      /// For rank @p r: the particles that @p goes is true for, with their new owners, and @p cells.
+      void pack(const unsigned int r, const ParticleCloud<dim> &cloud, const std::vector<bool> &goes,
+                const std::vector<unsigned int> &new_owner, const FluidMesh<dim> &mesh,
+                const std::vector<unsigned int> &cells_of_mesh)
+      {
+        const std::size_t n = std::count(goes.begin(), goes.end(), true);
+        if (n == 0)
+          return;
+        std::vector<unsigned int> place(cloud.size());
+        particles[r].reserve(n * cloud.record_size());
+        for (unsigned int i = 0, next = 0; i < cloud.size(); ++i)
+          if (goes[i])
+          {
+            place[i] = next++;
+            cloud.append_record(i, particles[r]);
+            particles[r].back() = new_owner[i];
+          }
+        cells[r].reserve(cells_of_mesh.size() * (dim + 2));
+        for (const unsigned int c : cells_of_mesh)
+        {
+          for (const unsigned int i : mesh.particle_cells()[c])
+            cells[r].push_back(place[i]);
+          cells[r].push_back(mesh.fluid(c));
+        }
+      }
+
+      /// Replace what is for others by what comes from them, one array after the other.
+      void send(const MPI_Comm &communicator)
+      {
+        particles = send_arrays(particles, communicator);
+        cells     = send_arrays(cells, communicator);
+        keys      = send_arrays(keys, communicator);
+        values    = send_arrays(values, communicator);
+      }
+    };
+  } // namespace
+
+
+
   template <int dim>
   void Migration<dim>::migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
                                const unsigned int n_shared, CellTable<dim> *values, const bool may_divide)
@@ -162,17 +198,20 @@ namespace Lahar
       divide_space(cloud, mesh);
     find_boxes(cloud);
 
-    const unsigned int rank = cloud.rank;
     std::vector<unsigned int> new_owner(cloud.size());
     for (unsigned int i = 0; i < cloud.size(); ++i)
       new_owner[i] = parts.rank_of(cloud.position[i]);
 
-    std::map<unsigned int, Parcel> parcels;
-    parcels[rank];
+    Parcels<dim> parcels;
+    std::vector<bool> is_left(cloud.size(), true); // what is for this rank stays where it is
+    std::vector<unsigned int> staying_cells;
+    std::vector<std::uint64_t> staying_keys;
+    std::vector<double> staying_values;
     for (const unsigned int r : ranks_around(cloud))
     {
-      Parcel parcel;
+      const bool is_here = r == cloud.rank;
       std::vector<bool> goes(cloud.size(), false);
+      std::vector<unsigned int> cells;
       for (unsigned int i = 0; i < cloud.size(); ++i)
         goes[i] = cloud.is_own(i) && is_near(r, cloud.position[i]);
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -181,60 +220,82 @@ namespace Lahar
               return is_near(r, cloud.position[i]);
             }))
         {
+          cells.push_back(c);
           for (const unsigned int i : cell)
-          {
             goes[i] = true;
-            parcel.cells.push_back(cloud.number[i]);
-          }
-          parcel.cells.push_back(mesh.fluid(c));
           if (values != nullptr)
             if (const auto key = CellTable<dim>::key(cell, cloud); const auto *value = values->find(key))
-              CellTable<dim>::append(key, *value, parcel.keys, parcel.values);
+              CellTable<dim>::append(key, *value, is_here ? staying_keys : parcels.keys[r],
+                                     is_here ? staying_values : parcels.values[r]);
         }
-      for (unsigned int i = 0; i < cloud.size(); ++i)
-        if (goes[i])
-        {
-          cloud.append_record(i, parcel.particles);
-          parcel.particles.back() = new_owner[i];
-        }
-      if (!parcel.particles.empty())
-        parcels[r] = std::move(parcel);
+      if (is_here)
+      {
+        is_left = std::move(goes);
+        is_left.flip();
+        staying_cells = std::move(cells);
+      }
+      else
+        parcels.pack(r, cloud, goes, new_owner, mesh, cells);
     }
-    const Parcel kept = std::move(parcels[rank]);
-    parcels.erase(rank);
-    auto received = Utilities::MPI::some_to_some(mpi_communicator, parcels);
-    parcels.clear();
-    received[rank] = kept;
-
-    // All that came; a particle comes from its owner and from those of its cells, always the same. Of the shared ones
-    // this rank has its own copy at least.
-    std::vector<double> records;
-    for (const auto &[sender, parcel] : received)
-      records.insert(records.end(), parcel.particles.begin(), parcel.particles.end());
+    // Of the shared particles this rank has its own copy at least.
+    std::vector<double> copies;
     for (unsigned int i = 0; i < n_shared; ++i)
+      if (is_left[i])
+      {
+        cloud.append_record(i, copies);
+        copies.back() = new_owner[i];
+      }
+    const std::vector<std::uint64_t> old_number = cloud.number;
+    cloud.owner                                 = std::move(new_owner);
+    cloud.remove(is_left);
+    parcels.send(mpi_communicator);
+
+    // A particle comes from its owner and from those of its cells, always the same.
+    std::map<unsigned int, std::vector<std::uint64_t>> number;
+    std::vector<std::vector<double>> records;
+    const unsigned int record_size = cloud.record_size();
+    for (auto &[sender, particles] : parcels.particles)
     {
-      cloud.append_record(i, records);
-      records.back() = new_owner[i];
+      for (std::size_t end = record_size; end <= particles.size(); end += record_size)
+        number[sender].push_back(static_cast<std::uint64_t>(particles[end - 2]));
+      records.push_back(std::move(particles));
     }
-    cloud.reinit(records);
+    records.push_back(std::move(copies));
+    cloud.add(std::move(records));
 
     std::vector<Simplex<dim>> cells;
     std::vector<unsigned int> fluids;
-    for (const auto &[sender, parcel] : received)
-      for (auto number = parcel.cells.begin(); number != parcel.cells.end(); number += dim + 2)
+    std::size_t n_cells = staying_cells.size();
+    for (const auto &[sender, corners] : parcels.cells)
+      n_cells += corners.size() / (dim + 2);
+    cells.reserve(n_cells);
+    fluids.reserve(n_cells);
+    for (const unsigned int c : staying_cells)
+    {
+      cells.push_back(mesh.particle_cells()[c]);
+      for (unsigned int &corner : cells.back())
+        corner = cloud.find(old_number[corner]);
+      fluids.push_back(mesh.fluid(c));
+    }
+    for (auto &[sender, corners] : parcels.cells)
+    {
+      for (auto corner = corners.begin(); corner != corners.end(); corner += dim + 2)
       {
         cells.emplace_back();
         for (unsigned int c = 0; c <= dim; ++c)
-          cells.back()[c] = cloud.find(number[c]);
-        fluids.push_back(number[dim + 1]);
+          cells.back()[c] = cloud.find(number[sender][corner[c]]);
+        fluids.push_back(corner[dim + 1]);
       }
-    mesh.reinit(cloud, cells, fluids);
+      std::vector<unsigned int>().swap(corners);
+    }
+    mesh.reinit(cloud, std::move(cells), fluids);
     reinit(cloud);
     if (values == nullptr)
       return;
     values->clear();
-    for (const auto &[sender, parcel] : received)
-      values->add_all(parcel.keys, parcel.values);
+    values->add_all(staying_keys, staying_values);
+    for (const auto &[sender, keys] : parcels.keys)
+      values->add_all(keys, parcels.values[sender]);
     values->sort();
   }
 

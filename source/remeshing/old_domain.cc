@@ -4,6 +4,7 @@
 #include <lahar/remeshing/old_domain.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Lahar
 {
@@ -44,7 +45,8 @@ namespace Lahar
 
   template <int dim>
   OldDomain<dim>::OldDomain(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh)
-    : cells_of(cloud.size())
+    : position(cloud.position)
+    , first_around(cloud.size() + 2, 0)
     , closed_faces_of(cloud.size())
   {
     cells.reserve(mesh.n_cells());
@@ -52,14 +54,19 @@ namespace Lahar
     {
       const Simplex<dim> &simplex = mesh.particle_cells()[c];
       const auto corners          = corners_of<dim>(simplex, cloud.position);
-      const double volume         = signed_volume<dim>(corners);
-      if (!(volume > 0.))
+      if (!(signed_volume<dim>(corners) > 0.))
         continue;
       for (const unsigned int particle : simplex)
-        cells_of[particle].push_back(cells.size());
-      cells.push_back({transpose(invert(edge_matrix<dim>(corners))), corners[0], simplex,
-                       body_volume<dim>(corners), cloud.is_own(simplex), mesh.fluid(c)});
+        ++first_around[particle + 2];
+      cells.push_back({simplex, body_volume<dim>(corners), mesh.fluid(c), cloud.is_own(simplex)});
     }
+    // What is begin + 1 while the cells are filled in becomes the end.
+    std::partial_sum(first_around.begin(), first_around.end(), first_around.begin());
+    around.resize(first_around.back());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (const unsigned int particle : cells[c].corners)
+        around[first_around[particle + 1]++] = c;
+    first_around.pop_back();
     for (const BoundaryFace &face : mesh.boundary_faces())
     {
       std::array<Point<dim>, dim> corners;
@@ -110,7 +117,8 @@ namespace Lahar
   bool OldDomain<dim>::is_inside(const unsigned int cell, const Point<dim> &point) const
   {
     const double tolerance      = 1e-10;
-    const Tensor<1, dim> lambda = cells[cell].to_barycentric * (point - cells[cell].origin);
+    const auto corners          = corners_of<dim>(cells[cell].corners, position);
+    const Tensor<1, dim> lambda = transpose(invert(edge_matrix<dim>(corners))) * (point - corners[0]);
     double sum                  = 0.;
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -128,7 +136,7 @@ namespace Lahar
   {
     for (const unsigned int seed : {seeds[a].first, seeds[a].second})
       if (seed != numbers::invalid_unsigned_int)
-        for (const unsigned int cell : cells_of[seed])
+        for (const unsigned int cell : cells_of(seed))
           for (const unsigned int corner : cells[cell].corners)
             if (corner == seeds[b].first || corner == seeds[b].second)
               return true;
@@ -164,7 +172,7 @@ namespace Lahar
         return numbers::invalid_unsigned_int;
       old_corners[c] = seed;
     }
-    const std::vector<unsigned int> &candidates = cells_of[old_corners[0]];
+    const ArrayView<const unsigned int> candidates = cells_of(old_corners[0]);
     const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const unsigned int cell) {
       return cells[cell].corners == old_corners;
     });
@@ -182,7 +190,7 @@ namespace Lahar
     for (const unsigned int particle : simplex)
       for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})
         if (seed != numbers::invalid_unsigned_int)
-          for (const unsigned int cell : cells_of[seed])
+          for (const unsigned int cell : cells_of(seed))
           {
             if (is_inside(cell, point))
               return cell;
@@ -191,7 +199,7 @@ namespace Lahar
     // A removed particle's cells, or those that the point has moved past, are in the second ring.
     for (const unsigned int ring_cell : first_ring)
       for (const unsigned int corner : cells[ring_cell].corners)
-        for (const unsigned int cell : cells_of[corner])
+        for (const unsigned int cell : cells_of(corner))
           if (is_inside(cell, point))
             return cell;
     return numbers::invalid_unsigned_int;
@@ -251,8 +259,8 @@ namespace Lahar
                                ? seeds[particle].first
                                : numbers::invalid_unsigned_int;
     std::vector<unsigned int> result;
-    if (old < cells_of.size())
-      for (const unsigned int cell : cells_of[old])
+    if (old < position.size())
+      for (const unsigned int cell : cells_of(old))
         for (const unsigned int corner : cells[cell].corners)
           if (new_index[corner] < seeds.size())
             result.push_back(new_index[corner]);

@@ -10,7 +10,7 @@
 #include <lahar/remeshing/particle_spacing.h>
 #include <lahar/remeshing/surface_chain.h>
 #include <lahar/remeshing/wall_faces.h>
-#include <lahar/utilities/sort_in_buckets.h>
+#include <lahar/utilities/in_buckets.h>
 
 #include <algorithm>
 #include <array>
@@ -51,14 +51,19 @@ namespace Lahar
     template <int dim>
     std::vector<Edge> edges_of(const FluidMesh<dim> &mesh, const unsigned int n_particles)
     {
+      const auto for_each = [&mesh](const auto &visit) {
+        for (const Simplex<dim> &cell : mesh.particle_cells())
+          for (unsigned int a = 0; a <= dim; ++a)
+            for (unsigned int b = a + 1; b <= dim; ++b)
+              visit(std::min(cell[a], cell[b]), std::max(cell[a], cell[b]));
+      };
       std::vector<Edge> edges;
-      edges.reserve(mesh.n_cells() * dim * (dim + 1) / 2);
-      for (const Simplex<dim> &cell : mesh.particle_cells())
-        for (unsigned int a = 0; a <= dim; ++a)
-          for (unsigned int b = a + 1; b <= dim; ++b)
-            edges.emplace_back(std::min(cell[a], cell[b]), std::max(cell[a], cell[b]));
-      sort_in_buckets(edges, n_particles, [](const Edge &edge) { return edge.first; });
-      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+      in_buckets(n_particles, for_each, [&edges](const unsigned int i, std::vector<unsigned int> &others) {
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        for (const unsigned int other : others)
+          edges.emplace_back(i, other);
+      });
       return edges;
     }
 

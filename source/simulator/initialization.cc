@@ -40,7 +40,7 @@ namespace Lahar
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator());
     solids.append_particles(input.mesh_size, input.surfaces.slick(), region.particles);
     const SolidContour<dim> contour(solids.mesh().contour(), region.particles, solids.unevenness());
-    input.geometry.create(input.mesh_size, contour, region.particles, walls, n_ranks);
+    input.geometry.create(input.mesh_size, contour, region.particles, walls, communicator());
     if (input.geometry.any_boundary_moves())
       walls = input.geometry.walls_at(input.run.start_time); // to the last bit where a resumed run has them
     prm.enter_subsection("Linear solver");

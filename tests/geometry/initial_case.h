@@ -98,7 +98,8 @@ namespace Tests
     InitialCase(const Parts &parts, const double h, const MPI_Comm &communicator = MPI_COMM_SELF)
     {
       const InitialGeometry<dim> geometry = make_geometry<dim>(parts);
-      geometry.create(h, SolidContour<dim>({}, cloud), cloud, walls);
+      cloud.rank                          = Utilities::MPI::this_mpi_process(communicator);
+      geometry.create(h, SolidContour<dim>({}, cloud), cloud, walls, communicator);
       Remesher<dim> remesher;
       parse(remesher);
       Migration<dim> migration(communicator);
@@ -118,6 +119,9 @@ namespace Tests
     for (const ParticleKind kind : {ParticleKind::fluid, ParticleKind::wall})
       same = same && sum(part.cloud.n_particles(kind)) == whole.cloud.n_particles(kind);
     check(name + " on ranks: particles", same);
+    for (unsigned int i = 0; i < part.cloud.size(); ++i)
+      same = same && part.cloud.position[i] == whole.cloud.position[part.cloud.number[i]];
+    check(name + " on ranks: to the last bit, in the same order", same);
     check(name + " on ranks: cells", sum(part.mesh.own_cells(part.cloud).size()) == whole.mesh.n_cells());
     // the ranks' sums are in another order
     check(name + " on ranks: volume", sum(part.mesh.volume(part.cloud)) / whole.mesh.volume(whole.cloud) - 1.,

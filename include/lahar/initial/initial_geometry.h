@@ -55,13 +55,13 @@ namespace Lahar
 
     /**
      * Fill @p walls and, after the solids' particles that are there already, @p cloud with spacing @p h (m). Fluid has its
-     * initial velocity. Of @p n_ranks the cloud's rank gets those that are first its own (first_owner());
-     * the particles and their numbers are the same for any number of ranks.
+     * initial velocity. Each rank gets those that are first its own (first_owner()); the particles and their numbers
+     * are the same for any number of ranks. Collective.
      * @throws InputError if a body is smaller than @p h, if there would be too many particles, if bodies,
      * walls and solids overlap.
      */
     void create(const MeshSize<dim> &h, const SolidContour<dim> &solids, ParticleCloud<dim> &cloud,
-                Walls<dim> &walls, const unsigned int n_ranks = 1) const;
+                Walls<dim> &walls, const MPI_Comm &communicator = MPI_COMM_SELF) const;
 
     /// Whether a simplex of the particles that create() made belongs to the bodies (InitialRegion), or to the gap below
     /// 0.1 h between one of them and a wall or solid. Valid as long as this object.
@@ -141,10 +141,10 @@ namespace Lahar
 
     /// Behind those of the solids, which @p cloud has; and fill @p walls.
     Seeds place_seeds(const MeshSize<dim> &h, const SolidContour<dim> &solids,
-                      const ParticleCloud<dim> &cloud, Walls<dim> &walls) const;
+                      const ParticleCloud<dim> &cloud, Walls<dim> &walls, const MPI_Comm &communicator) const;
 
     /// The points of all bodies; of those inside none is so near to another fluid that an interface would not be Delaunay.
-    Fillings fill_bodies(const MeshSize<dim> &h) const;
+    Fillings fill_bodies(const MeshSize<dim> &h, const MPI_Comm &communicator) const;
 
     /// Where fluids touch each other, and no wall is between, their particles belong to all of them.
     void mark_interfaces(const Walls<dim> &walls, ParticleCloud<dim> &cloud) const;

@@ -123,8 +123,11 @@ namespace Lahar
     /// Make a particle what record_size() numbers say.
     void set(const unsigned int particle, const double *record);
 
-    /// Replace all particles by those of @p records, one behind the other in any order; of those with the same number
-    /// the first one counts. Rank and next number stay.
+    /// Add the particles of some records, in each one behind the other in any order, and sort all by their numbers; of
+    /// those with the same number the first one counts. Rank and next number stay.
+    void add(std::vector<std::vector<double>> records);
+
+    /// Replace all particles by those of @p records.
     void reinit(const std::vector<double> &records);
 
     /// Index of the particle with a number; numbers::invalid_unsigned_int if it is not here.
@@ -142,6 +145,30 @@ namespace Lahar
       archive &position &velocity &acceleration &algorithmic_acceleration &pressure &pressure_rate
         &owed_volume &reaction &friction &structure &kind &part &spacing &contact_facets &number &owner
           &next_number;
+    }
+
+  private:
+    /// Do something with each array that has an entry a particle.
+    template <typename Action>
+    void for_each_array(const Action &action)
+    {
+      action(position);
+      action(velocity);
+      action(acceleration);
+      action(algorithmic_acceleration);
+      action(pressure);
+      action(pressure_rate);
+      action(owed_volume);
+      action(reaction);
+      action(friction);
+      for (std::vector<double> &of_fluid : structure)
+        action(of_fluid);
+      action(kind);
+      action(part);
+      action(spacing);
+      action(contact_facets);
+      action(number);
+      action(owner);
     }
   };
 } // namespace Lahar

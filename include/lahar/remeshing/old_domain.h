@@ -3,6 +3,8 @@
 #ifndef lahar_remeshing_old_domain_h
 #define lahar_remeshing_old_domain_h
 
+#include <deal.II/base/array_view.h>
+
 #include <lahar/particles/particle_cloud.h>
 #include <lahar/remeshing/fluid_mesh.h>
 
@@ -37,7 +39,7 @@ namespace Lahar
     bool was_wet(const unsigned int particle) const
     {
       return seeds[particle].first != numbers::invalid_unsigned_int &&
-             !cells_of[seeds[particle].first].empty();
+             cells_of(seeds[particle].first).size() > 0;
     }
 
     /// Whether the edges that its corners share with the last mesh join them all: then the simplex lies in a hollow of
@@ -93,12 +95,10 @@ namespace Lahar
   private:
     struct Cell
     {
-      Tensor<2, dim> to_barycentric; ///< maps x − origin to the barycentric coordinates 1 … dim
-      Point<dim> origin;
       Simplex<dim> corners; ///< old indices
       double volume;
-      bool own;
       unsigned int fluid;
+      bool own;
     };
 
     /// The cell that the simplex is, its corners in canonical() order, which renumbering keeps; invalid if there is none.
@@ -108,8 +108,16 @@ namespace Lahar
     bool is_inside(const unsigned int cell, const Point<dim> &point) const;
     bool share_cell(const unsigned int a, const unsigned int b) const;
 
+    /// The cells around a particle of the last mesh.
+    ArrayView<const unsigned int> cells_of(const unsigned int old) const
+    {
+      return {around.data() + first_around[old], first_around[old + 1] - first_around[old]};
+    }
+
     std::vector<Cell> cells;
-    std::vector<std::vector<unsigned int>> cells_of;        ///< by old index
+    std::vector<Point<dim>> position;                       ///< by old index
+    std::vector<unsigned int> around;                       ///< the cells around one particle after the other
+    std::vector<unsigned int> first_around;                 ///< by old index, and the end
     std::vector<std::array<Point<dim>, dim>> closed_faces;  ///< without a fluid corner
     std::vector<std::vector<unsigned int>> closed_faces_of; ///< by old index
     std::vector<std::pair<unsigned int, unsigned int>>
