@@ -83,8 +83,8 @@ namespace Lahar
           number[wanted[k]] = k;
       }
 
-      /// Call @p action for each of the points with its place in the list and its neighbours, ascending, each of them as
-      /// often as both share simplices. @p distance (m) around the points is looked at first.
+      /// Call @p action for each of the points with its place in the list and its neighbours, ascending, each of them
+      /// as often as both share simplices. @p distance (m) around the points is looked at first.
       template <typename Action>
       void for_each(const double distance, const Action &action) const
       {
@@ -169,8 +169,8 @@ namespace Lahar
               changed = true;
             }
           }
-        // The faces opposite to an inner point are a closed surface: as many as it has corners (in space twice that, but
-        // for four).
+        // The faces opposite to an inner point are a closed surface: as many as it has corners (in space twice that,
+        // but for four).
         std::vector<bool> is_closed(wanted.size(), false);
         for_each_star(simplices, [&](const unsigned int k, const std::vector<unsigned int> &others) {
           unsigned int n_corners = 0;

@@ -113,8 +113,8 @@ namespace Lahar
       const Point<dim> &p = seeds.position[i];
       if (seeds.kind[i] == ParticleKind::wall)
         return places.any_near(p, contact * h(p), [&](const unsigned int other) { return stands[other]; });
-      // By a particle of the body's region; of points of the body's own, whose two sides may come near to each other, by
-      // one that stands very near.
+      // By a particle of the body's region; of points of the body's own, whose two sides may come near to each other,
+      // by one that stands very near.
       const unsigned int b       = seeds.part[i];
       const FluidBody<dim> &body = *bodies[b];
       if (is_near(covered_facets, p, contact * h(p) + body.roughness()))

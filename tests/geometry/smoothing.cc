@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test the smoothing of a body's points: it is what its formula says, of bodies whose simplices are flat or long, too, and to
-// the last bit the same on any number of ranks.
+// Test the smoothing of a body's points: it is what its formula says, of bodies whose simplices are flat or long, too,
+// and to the last bit the same on any number of ranks.
 
 #include <lahar/geometry/delaunay.h>
 #include <lahar/geometry/smoothing.h>

@@ -13,8 +13,8 @@ namespace Lahar
 {
   using namespace dealii;
 
-  /// Given points, of which those near a place are found fast, with four bytes for each: they are sorted by halving along one
-  /// direction after the other (a k-d tree without nodes).
+  /// Given points, of which those near a place are found fast, with four bytes for each: they are sorted by halving
+  /// along one direction after the other (a k-d tree without nodes).
   template <int dim>
   class PackedPoints
   {

@@ -46,7 +46,8 @@ namespace Lahar
   /**
    * Points in a region at the distance @p h: those of its @p contour first, inside, where @p depth says that the contour
    * is more than 0.55 h away (the distance from the contour, negative outside), lattices of equilateral triangles of the
-   * sizes @p levels (append_graded_lattice()), smoothed towards the contour and from one lattice to the next (smooth()). Collective.
+   * sizes @p levels (append_graded_lattice()), smoothed towards the contour and from one lattice to the next
+   * (smooth()). Collective.
    */
   std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
                                      const SizeFunction<2> &h, const std::vector<double> &levels,

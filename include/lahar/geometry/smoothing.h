@@ -25,12 +25,15 @@ namespace Lahar
   };
 
   /**
-   * Move each point that may, a few times and all at once, to the mean of its Delaunay neighbours with the weights h_0/h
-   * of the middle between the two, h_0 the largest h, once for each simplex that both share; not where it must not stand.
+   * Move each point that may, a few times and all at once, to the mean of its Delaunay neighbours q,
    *
-   * All ranks have all points; each triangulates those around its part of the points that may move, which the parts of
-   * space are divided into by halving, and tells the others where these go. A sum has its terms in the order of the
-   * neighbours' numbers, so that the result does not depend on the number of ranks. Collective.
+   *   Σ n_q w_q q / Σ n_q w_q,   w_q = h_0 / h((p + q)/2),
+   *
+   * n_q the number of simplices that both share, h_0 the largest h; but not where it must not stand.
+   *
+   * All ranks have all points. Space is divided among them so that each has as many of the points that may move; a rank
+   * triangulates what is around its own and tells the others where these go. A sum has its terms in the order of the
+   * neighbours' numbers, so that the result is to the last bit the same on any number of ranks. Collective.
    */
   template <int dim>
   void smooth(const Smoothing<dim> &smoothing, const MPI_Comm &communicator, std::vector<Point<dim>> &points);

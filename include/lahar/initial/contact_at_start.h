@@ -9,8 +9,8 @@
 
 namespace Lahar
 {
-  /// What lies nearer to a wall or to a solid than this times h at the start is in contact with it: the fluid reaches to
-  /// it.
+  /// What lies nearer to a wall or to a solid than this times h at the start is in contact with it: the fluid reaches
+  /// to it.
   constexpr double contact = 0.1;
 
   /// Whether @p point lies above or below one of the facets, nearer to it than @p distance.

@@ -16,8 +16,8 @@ namespace Lahar
   using namespace dealii;
 
   /**
-   * Send other ranks an array each, by rank, and receive theirs. No copy is made of an array, and messages go only between
-   * ranks that have something to tell each other. Collective.
+   * Send other ranks an array each, by rank, and receive theirs. No copy is made of an array, and messages go only
+   * between ranks that have something to tell each other. Collective.
    */
   template <typename T>
   std::map<unsigned int, std::vector<T>> send_arrays(const std::map<unsigned int, std::vector<T>> &sent,
