@@ -118,7 +118,7 @@ namespace Tests
       linearization.motion         = false;
       // The nodes pass their places in the middle of the step: the volumes change by its length times the divergence
       // there, up to its third power, and nothing else sees so small a motion.
-      state.time_step = 1e-6;
+      state.time_step = motion_step;
       for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
       {
         state.position[v]     = places[v] + 0.5 * state.time_step * state.velocity[v];
@@ -129,6 +129,9 @@ namespace Tests
         system.add_at_node(LocalNode(v), -forces[v], {}, {});
       state.position = state.old_position = places;
     }
+
+    /// Time (s) in which the nodes pass their places. Places are rounded: velocities come out to the rounding over it.
+    static constexpr double motion_step = 1e-6;
 
     FluidMesh<dim> mesh; ///< what this rank knows
     std::vector<Point<dim>> places;

@@ -95,8 +95,9 @@ void check_error(const std::string &what, const Part &part, const std::vector<st
   });
 }
 
-int main()
+int main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const std::string format : {"22", "41"})
   {
     const std::string file = SOURCE_DIR "/basin_" + format + ".msh";

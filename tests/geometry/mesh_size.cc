@@ -152,8 +152,9 @@ void test_filling()
   check("its median edge is h", ratios[ratios.size() / 2] - 1., 0.1);
 }
 
-int main()
+int main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_function();
   test_filling();
   for (const std::string wrong :

@@ -266,8 +266,9 @@ void test_wrong_input()
                            [&]() { warnings("hill.tif", 1e-6); });
 }
 
-int main()
+int main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_formats();
   test_resampling();
   test_particles();

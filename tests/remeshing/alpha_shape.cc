@@ -378,8 +378,9 @@ void test_3d()
   check("3D: remeshing keeps the volume", mesh.volume(cloud) / (1.05 * std::pow(n * h, 3)) - 1., 1e-2);
 }
 
-int main()
+int main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_shapes();
   test_degenerate();
   test_lattice<2>(6);
