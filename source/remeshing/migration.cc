@@ -64,7 +64,7 @@ namespace Lahar
 
 
   template <int dim>
-  void Migration<dim>::find_boxes(const ParticleCloud<dim> &cloud)
+  void Migration<dim>::find_boxes(const ParticleCloud<dim> &cloud, const std::vector<unsigned int> &owners)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(mpi_communicator);
     const double nothing       = -std::numeric_limits<double>::max();
@@ -73,7 +73,7 @@ namespace Lahar
       if (cloud.is_own(i))
         for (unsigned int d = 0; d < dim; ++d)
         {
-          double *bound = &bounds[(parts.rank_of(cloud.position[i]) * dim + d) * 2];
+          double *bound = &bounds[(owners[i] * dim + d) * 2];
           bound[0]      = std::max(bound[0], -cloud.position[i][d]);
           bound[1]      = std::max(bound[1], cloud.position[i][d]);
         }
@@ -186,7 +186,7 @@ namespace Lahar
 
   template <int dim>
   void Migration<dim>::migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                               const unsigned int n_shared, CellTable<dim> *values, const bool may_divide)
+                               const unsigned int n_shared, CellTable<dim> *values, const bool keeps_owners)
   {
     if (is_alone())
     {
@@ -194,13 +194,12 @@ namespace Lahar
       return;
     }
     region_distance = distance;
-    if (may_divide)
+    if (!keeps_owners)
       divide_space(cloud, mesh);
-    find_boxes(cloud);
-
-    std::vector<unsigned int> new_owner(cloud.size());
-    for (unsigned int i = 0; i < cloud.size(); ++i)
+    std::vector<unsigned int> new_owner = cloud.owner;
+    for (unsigned int i = 0; i < cloud.size() && !keeps_owners; ++i)
       new_owner[i] = parts.rank_of(cloud.position[i]);
+    find_boxes(cloud, new_owner);
 
     Parcels<dim> parcels;
     std::vector<bool> is_left(cloud.size(), true); // what is for this rank stays where it is

@@ -75,8 +75,10 @@ namespace Lahar
         archive >> migration;
     }
     region.reinit(std::move(pieces), solids, n_ranks);
-    // The next step divides space as in a run without a break: with all cells of each rank's particles.
-    migrate(!content.same_ranks);
+    // On as many ranks the next step finds all where it was, and brings it to other ranks as in a run without a break.
+    if (content.same_ranks)
+      region.tell_owners(solids.mesh().n_contour_nodes(), communicator());
+    migrate(content.same_ranks);
     if (has_multipliers())
       region.multipliers.follow(region.mesh, region.particles);
   }

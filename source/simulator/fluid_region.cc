@@ -92,6 +92,18 @@ namespace Lahar
 
 
 
+  template <int dim>
+  void FluidRegion<dim>::tell_owners(const unsigned int n, const MPI_Comm &communicator)
+  {
+    std::vector<unsigned int> owners(n, 0);
+    for (unsigned int i = 0; i < n; ++i)
+      owners[i] = particles.is_own(i) ? particles.rank : 0;
+    Utilities::MPI::max(owners, communicator, owners);
+    std::copy(owners.begin(), owners.end(), particles.owner.begin());
+  }
+
+
+
   template struct FluidRegion<2>;
   template struct FluidRegion<3>;
 } // namespace Lahar

@@ -94,10 +94,10 @@ namespace Lahar
 
 
   template <int dim>
-  void Simulator<dim>::migrate(const bool may_divide)
+  void Simulator<dim>::migrate(const bool keeps_owners)
   {
     migration.migrate(region.particles, region.mesh, region_distance(), solids.mesh().n_contour_nodes(),
-                      has_multipliers() ? &region.multipliers.table() : nullptr, may_divide);
+                      has_multipliers() ? &region.multipliers.table() : nullptr, keeps_owners);
   }
 
 

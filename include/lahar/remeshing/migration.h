@@ -47,11 +47,12 @@ namespace Lahar
      * @param distance by which a rank's region is wider than the box around its own particles, m.
      * @param n_shared particles come first in the cloud on all ranks and stay there.
      * @param values of cells that go with them, or none: afterwards this rank has those that the owners of its cells had.
-     * @param may_divide whether space may be divided anew: not where a rank does not know all cells of its particles yet,
-     *        which are their work.
+     * @param keeps_owners whether all stay where they are, and only copies come: after a checkpoint, where a step has moved
+     *        particles but not brought them to other ranks yet. All of the cloud's owners must be ranks then.
      */
     void migrate(ParticleCloud<dim> &cloud, FluidMesh<dim> &mesh, const double distance,
-                 const unsigned int n_shared, CellTable<dim> *values = nullptr, const bool may_divide = true);
+                 const unsigned int n_shared, CellTable<dim> *values = nullptr,
+                 const bool keeps_owners = false);
 
     /// Keep of a cloud that all ranks have what belongs to this one.
     void distribute(ParticleCloud<dim> &cloud, const double distance, const unsigned int n_shared);
@@ -110,7 +111,7 @@ namespace Lahar
 
   private:
     void divide_space(const ParticleCloud<dim> &cloud, const FluidMesh<dim> &mesh);
-    void find_boxes(const ParticleCloud<dim> &cloud);
+    void find_boxes(const ParticleCloud<dim> &cloud, const std::vector<unsigned int> &owners);
     bool is_near(const unsigned int rank, const Point<dim> &point) const;
     /// The ranks in whose regions some of the cloud's particles may be.
     std::vector<unsigned int> ranks_around(const ParticleCloud<dim> &cloud) const;

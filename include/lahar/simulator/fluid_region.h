@@ -58,6 +58,9 @@ namespace Lahar
     /// Take over what was read: particles and mesh are those of @p pieces and the contours of @p solids, which all of
     /// @p n_ranks ranks have, as copies if no piece has them. Migration::migrate() brings them to where they belong.
     void reinit(Pieces pieces, const Solids<dim> &solids, const unsigned int n_ranks);
+
+    /// Tell all ranks who owns each of the first @p n particles, the contours', which the owner knows. Collective.
+    void tell_owners(const unsigned int n, const MPI_Comm &communicator);
   };
 } // namespace Lahar
 

@@ -95,8 +95,8 @@ namespace Lahar
     void check_ranks() const;
     /// See Remesher::region_distance().
     double region_distance() const;
-    /// Bring particles and mesh to where they belong.
-    void migrate(const bool may_divide = true);
+    /// Bring particles and mesh to where they belong, or only the copies.
+    void migrate(const bool keeps_owners = false);
     /// Sum over the ranks.
     unsigned int count_on_ranks(const unsigned int n) const;
     /// What the accounts look at.
