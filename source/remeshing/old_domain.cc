@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace Lahar
 {
@@ -18,6 +19,30 @@ namespace Lahar
       std::copy(face.begin(), face.end(), corners.begin());
       corners[dim] = tip;
       return signed_volume<dim>(corners);
+    }
+
+    // Plain numbers, whose indices are not checked: most of the time of a search goes into is_inside().
+    template <int dim>
+    using Vector = std::array<double, dim>;
+
+    template <int dim>
+    Vector<dim> from_to(const Point<dim> &a, const Point<dim> &b)
+    {
+      Vector<dim> difference;
+      for (int d = 0; d < dim; ++d)
+        difference[d] = b.begin_raw()[d] - a.begin_raw()[d];
+      return difference;
+    }
+
+    template <int dim>
+    double determinant_of(const std::array<Vector<dim>, dim> &rows)
+    {
+      const Vector<dim> &a = rows[0], &b = rows[1];
+      if constexpr (dim == 2)
+        return a[0] * b[1] - a[1] * b[0];
+      else
+        return (a[1] * b[2] - a[2] * b[1]) * rows[2][0] + (a[2] * b[0] - a[0] * b[2]) * rows[2][1] +
+               (a[0] * b[1] - a[1] * b[0]) * rows[2][2];
     }
 
     /// Whether the segment from a to b passes through the face or its rim.
@@ -116,15 +141,22 @@ namespace Lahar
   template <int dim>
   bool OldDomain<dim>::is_inside(const unsigned int cell, const Point<dim> &point) const
   {
-    const double tolerance      = 1e-10;
-    const auto corners          = corners_of<dim>(cells[cell].corners, position);
-    const Tensor<1, dim> lambda = transpose(invert(edge_matrix<dim>(corners))) * (point - corners[0]);
-    double sum                  = 0.;
+    constexpr double tolerance = 1e-10;
+    const auto &corners        = cells[cell].corners;
+    const Vector<dim> to_point = from_to<dim>(position[corners[0]], point);
+    std::array<Vector<dim>, dim> edges;
+    for (unsigned int d = 0; d < dim; ++d)
+      edges[d] = from_to<dim>(position[corners[0]], position[corners[d + 1]]);
+    const double all = determinant_of<dim>(edges);
+    double sum       = 0.;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      if (lambda[d] < -tolerance)
+      auto part           = edges;
+      part[d]             = to_point;
+      const double lambda = determinant_of<dim>(part) / all;
+      if (lambda < -tolerance)
         return false;
-      sum += lambda[d];
+      sum += lambda;
     }
     return sum <= 1. + tolerance;
   }
@@ -186,21 +218,28 @@ namespace Lahar
   {
     if (const unsigned int same = same_cell(simplex); same != numbers::invalid_unsigned_int)
       return same;
+    std::set<unsigned int> searched;
+    const auto find_around = [&](const unsigned int particle) {
+      if (searched.insert(particle).second)
+        for (const unsigned int cell : cells_of(particle))
+          if (is_inside(cell, point))
+            return cell;
+      return numbers::invalid_unsigned_int;
+    };
     std::vector<unsigned int> first_ring;
     for (const unsigned int particle : simplex)
       for (const unsigned int seed : {seeds[particle].first, seeds[particle].second})
         if (seed != numbers::invalid_unsigned_int)
-          for (const unsigned int cell : cells_of(seed))
-          {
-            if (is_inside(cell, point))
-              return cell;
-            first_ring.push_back(cell);
-          }
+        {
+          if (const unsigned int cell = find_around(seed); cell != numbers::invalid_unsigned_int)
+            return cell;
+          first_ring.push_back(seed);
+        }
     // A removed particle's cells, or those that the point has moved past, are in the second ring.
-    for (const unsigned int ring_cell : first_ring)
-      for (const unsigned int corner : cells[ring_cell].corners)
-        for (const unsigned int cell : cells_of(corner))
-          if (is_inside(cell, point))
+    for (const unsigned int seed : first_ring)
+      for (const unsigned int ring_cell : cells_of(seed))
+        for (const unsigned int corner : cells[ring_cell].corners)
+          if (const unsigned int cell = find_around(corner); cell != numbers::invalid_unsigned_int)
             return cell;
     return numbers::invalid_unsigned_int;
   }
