@@ -67,7 +67,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConeBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
+  DividedPoints<3> ConeBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     std::vector<Point<3>> contour;
     PointSet<3> places;
@@ -99,8 +99,10 @@ namespace Lahar
       }
       // The base and the top are discs; all points of the ring are corners, which filling keeps.
       if (is_disc)
-        ring = fill_polygon(
-          ring, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels(), communicator);
+        ring = all_points(fill_polygon(
+                            ring, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels(),
+                            communicator),
+                          communicator);
       for (const Point<2> &p : ring)
         contour.push_back(in_space(p));
     }

@@ -121,7 +121,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> ConvexBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
+  DividedPoints<3> ConvexBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     std::vector<Point<3>> contour;
     for (const PlanePolygon &face : faces)

@@ -4,6 +4,7 @@
 #include <lahar/geometry/lattice.h>
 #include <lahar/geometry/point_set.h>
 #include <lahar/geometry/smoothing.h>
+#include <lahar/utilities/share_of_rank.h>
 
 #include <algorithm>
 #include <array>
@@ -35,14 +36,19 @@ namespace Lahar
         , box(body.box())
       {}
 
-      /// The wanted points inside the body.
-      std::vector<Point<3>> points()
+      /// The wanted points inside the body: of them this rank's share.
+      std::vector<Point<3>> points(const MPI_Comm &communicator)
       {
-        Place last;
+        Place first{{0, 0, 0}}, last;
         for (unsigned int d = 0; d < 3; ++d)
           last[d] = std::ceil((box.upper[d] - box.lower[d]) / half);
+        const auto [begin, end] = share_of_rank(last[0] + 1, communicator);
         places.clear();
-        search({{0, 0, 0}}, last);
+        if (begin == end)
+          return {};
+        first[0] = begin;
+        last[0]  = end - 1;
+        search(first, last);
         std::sort(places.begin(), places.end());
         std::vector<Point<3>> result;
         for (const Place &place : places)
@@ -104,25 +110,24 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> fill_inside(const FluidBody<3> &body, const std::vector<Point<3>> &contour,
-                                    const MeshSize<3> &h, const MPI_Comm &communicator)
+  DividedPoints<3> fill_inside(const FluidBody<3> &body, const std::vector<Point<3>> &contour,
+                               const MeshSize<3> &h, const MPI_Comm &communicator)
   {
-    std::vector<Point<3>> points;
+    std::vector<Point<3>> of_contour;
     PointSet<3> places;
     for (const Point<3> &p : contour)
       if (places.insert_if_free(p, 0.5 * h(p)))
-        points.push_back(p);
-    const unsigned int n_contour = points.size();
+        of_contour.push_back(p);
 
-    append_graded_lattice<3>(
-      h, h.levels(),
+    DividedPoints<3> points = with_graded_lattice<3>(
+      of_contour, h, h.levels(),
       [&](const double size, const PointFilter<3> &is_wanted) {
-        return BodyLattice(body, size, is_wanted).points();
+        return BodyLattice(body, size, is_wanted).points(communicator);
       },
-      points);
+      communicator);
     // Where h is the same everywhere, those near the contour move.
-    const auto may_move = [&](const unsigned int i, const Point<3> &p) {
-      return i >= n_contour && (!h.is_uniform() || body.signed_distance(p) > -2. * h.coarsest());
+    const auto may_move = [&](const unsigned int number, const Point<3> &p) {
+      return number >= of_contour.size() && (!h.is_uniform() || body.signed_distance(p) > -2. * h.coarsest());
     };
     const auto may_stand = [&](const Point<3> &p) { return body.signed_distance(p) < -0.5 * h(p); };
     smooth<3>({n_sweeps, h, h.coarsest(), may_move, may_stand}, communicator, points);

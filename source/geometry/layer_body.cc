@@ -212,15 +212,17 @@ namespace Lahar
 
 
 
-  std::vector<Point<3>> LayerBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
+  DividedPoints<3> LayerBody::fill(const MeshSize<3> &h, const MPI_Comm &communicator) const
   {
     const auto plan_h = [&](const Point<2> &p) { return h(at(p).place) / slope; };
     std::vector<double> levels;
     for (const double level : h.levels())
       levels.push_back(level / slope);
     const std::vector<Point<2>> rim = plan.contour_points(plan_h);
-    const std::vector<Point<2>> all = fill_contour(
-      rim, [&](const Point<2> &p) { return -plan.signed_distance(p); }, plan_h, levels, communicator);
+    const std::vector<Point<2>> all = all_points(
+      fill_contour(
+        rim, [&](const Point<2> &p) { return -plan.signed_distance(p); }, plan_h, levels, communicator),
+      communicator);
 
     std::vector<Point<3>> ground_points, sides, surface;
     for (unsigned int i = 0; i < all.size(); ++i)

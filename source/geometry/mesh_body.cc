@@ -331,8 +331,8 @@ namespace Lahar
 
   namespace
   {
-    std::vector<Point<2>> fill_inside(const MeshBody<2> &body, const std::vector<Point<2>> &contour,
-                                      const MeshSize<2> &h, const MPI_Comm &communicator)
+    DividedPoints<2> fill_inside(const MeshBody<2> &body, const std::vector<Point<2>> &contour,
+                                 const MeshSize<2> &h, const MPI_Comm &communicator)
     {
       return fill_contour(
         contour, [&](const Point<2> &p) { return -body.signed_distance(p); }, h, h.levels(), communicator);
@@ -359,7 +359,7 @@ namespace Lahar
 
 
   template <int dim>
-  std::vector<Point<dim>> MeshBody<dim>::fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const
+  DividedPoints<dim> MeshBody<dim>::fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const
   {
     return fill_inside(*this, contour_points(h), h, communicator);
   }

@@ -54,8 +54,9 @@ namespace Lahar
       return all_corners[0] + p[0] * axes[0] + p[1] * axes[1];
     };
     std::vector<Point<3>> points;
-    for (const Point<2> &p : fill_polygon(
-           polygon, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels()))
+    const DividedPoints<2> in_plane = fill_polygon(
+      polygon, [&](const Point<2> &p) { return h(in_space(p)); }, h.levels(), MPI_COMM_SELF);
+    for (const Point<2> &p : in_plane.position)
       points.push_back(in_space(p));
     return points;
   }

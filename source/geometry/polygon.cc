@@ -2,6 +2,7 @@
 
 #include <lahar/geometry/polygon.h>
 #include <lahar/geometry/smoothing.h>
+#include <lahar/utilities/share_of_rank.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -71,11 +72,12 @@ namespace Lahar
             x[parity].push_back(place);
       }
 
-      /// The wanted points that are deep enough.
-      std::vector<Point<2>> points()
+      /// The wanted points that are deep enough: of them this rank's share.
+      std::vector<Point<2>> points(const MPI_Comm &communicator)
       {
+        const auto [begin, end] = share_of_rank(y.size() - 1, communicator);
         places.clear();
-        search({{1, 0}}, {{static_cast<unsigned int>(y.size()), static_cast<unsigned int>(x[1].size())}});
+        search({{1 + begin, 0}}, {{1 + end, static_cast<unsigned int>(x[1].size())}});
         std::sort(places.begin(), places.end());
         std::vector<Point<2>> result;
         for (const Place &place : places)
@@ -237,18 +239,19 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
-                                     const SizeFunction<2> &h, const std::vector<double> &levels,
-                                     const MPI_Comm &communicator)
+  DividedPoints<2> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
+                                const SizeFunction<2> &h, const std::vector<double> &levels,
+                                const MPI_Comm &communicator)
   {
-    std::vector<Point<2>> points = contour;
-    append_graded_lattice<2>(
-      h, levels,
+    DividedPoints<2> points = with_graded_lattice<2>(
+      contour, h, levels,
       [&](const double size, const PointFilter<2> &is_wanted) {
-        return ContourLattice(contour, depth, size, is_wanted).points();
+        return ContourLattice(contour, depth, size, is_wanted).points(communicator);
       },
-      points);
-    const auto may_move  = [&](const unsigned int i, const Point<2> &) { return i >= contour.size(); };
+      communicator);
+    const auto may_move = [&](const unsigned int number, const Point<2> &) {
+      return number >= contour.size();
+    };
     const auto may_stand = [](const Point<2> &) { return true; };
     smooth<2>({n_sweeps, h, levels.back(), may_move, may_stand}, communicator, points);
     return points;
@@ -256,8 +259,8 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
-                                     const std::vector<double> &levels, const MPI_Comm &communicator)
+  DividedPoints<2> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
+                                const std::vector<double> &levels, const MPI_Comm &communicator)
   {
     return fill_contour(
       sample_polyline(polygon, h, true),
@@ -272,6 +275,8 @@ namespace Lahar
 
   std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h)
   {
-    return fill_polygon(polygon, [h](const Point<2> &) { return h; }, {h});
+    return fill_polygon(
+             polygon, [h](const Point<2> &) { return h; }, {h}, MPI_COMM_SELF)
+      .position;
   }
 } // namespace Lahar

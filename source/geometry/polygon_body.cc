@@ -54,7 +54,7 @@ namespace Lahar
 
 
 
-  std::vector<Point<2>> PolygonBody::fill(const MeshSize<2> &h, const MPI_Comm &communicator) const
+  DividedPoints<2> PolygonBody::fill(const MeshSize<2> &h, const MPI_Comm &communicator) const
   {
     return fill_polygon(contour, h, h.levels(), communicator);
   }

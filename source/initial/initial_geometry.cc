@@ -4,6 +4,7 @@
 #include <lahar/geometry/sharp_edges.h>
 #include <lahar/initial/contact_at_start.h>
 #include <lahar/initial/initial_geometry.h>
+#include <lahar/utilities/true_on_all_ranks.h>
 
 #include <algorithm>
 #include <limits>
@@ -66,14 +67,18 @@ namespace Lahar
 
 
   template <int dim>
-  void InitialGeometry<dim>::check_overlaps(const Fillings &fillings, const double h) const
+  void InitialGeometry<dim>::check_overlaps(const Fillings &fillings, const double h,
+                                            const MPI_Comm &communicator) const
   {
     const auto tolerance = [h](const FluidBody<dim> &body) { return touching * h + body.roughness(); };
-    const auto check     = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
-      if (body.signed_distance(p) < -tolerance(body))
+    const auto overlaps  = [&](const FluidBody<dim> &body, const Point<dim> &p) {
+      return body.signed_distance(p) < -tolerance(body);
+    };
+    const auto check = [&](const FluidBody<dim> &body, const Point<dim> &p, const std::string &name) {
+      if (overlaps(body, p))
         throw InputError(
-              "Fluid " + body.name() + " overlaps " + name + " at " + to_text(p) +
-              " m. Fluid and walls may touch, not overlap; fluid round a body has a 'Shape = mesh' with a hole.");
+          "Fluid " + body.name() + " overlaps " + name + " at " + to_text(p) +
+          " m. Fluid and walls may touch, not overlap; fluid round a body has a 'Shape = mesh' with a hole.");
     };
 
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -84,19 +89,20 @@ namespace Lahar
         for (const Point<dim> &p : wall.samples(h))
           if (box.contains(p, 0.))
             check(*bodies[b], p, "boundary " + wall.name);
-        if (wall.holds(fillings[b], touching * h))
+        if (true_on_all_ranks(wall.holds(fillings[b].position, touching * h), communicator))
           continue;
-        for (const Point<dim> &p : fillings[b])
-          if (wall.encloses(p, tolerance(*bodies[b])))
-            throw InputError(
-              "Fluid " + bodies[b]->name() + " overlaps boundary " + wall.name + " at " + to_text(p) +
-              " m, whose line is closed and so a rigid body. Allowed: fluid and walls that touch; fluid that "
-              "lies wholly inside a closed line, as in a tank.");
+        const auto is_enclosed = [&](const Point<dim> &p) { return wall.encloses(p, tolerance(*bodies[b])); };
+        if (const auto p = first_of<dim>(fillings[b], is_enclosed, communicator))
+          throw InputError(
+            "Fluid " + bodies[b]->name() + " overlaps boundary " + wall.name + " at " + to_text(*p) +
+            " m, whose line is closed and so a rigid body. Allowed: fluid and walls that touch; fluid that "
+            "lies wholly inside a closed line, as in a tank.");
       }
       for (unsigned int other = 0; other < bodies.size(); ++other)
         if (b != other)
-          for (const Point<dim> &p : fillings[other])
-            check(*bodies[b], p, "fluid " + bodies[other]->name());
+          if (const auto p = first_of<dim>(
+                fillings[other], [&](const Point<dim> &q) { return overlaps(*bodies[b], q); }, communicator))
+            check(*bodies[b], *p, "fluid " + bodies[other]->name());
     }
   }
 
@@ -104,7 +110,7 @@ namespace Lahar
 
   template <int dim>
   void InitialGeometry<dim>::check_solids(const Fillings &fillings, const SolidContour<dim> &solids,
-                                          const double h) const
+                                          const double h, const MPI_Comm &communicator) const
   {
     if (solids.facets().empty())
       return;
@@ -124,8 +130,9 @@ namespace Lahar
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const double depth = tolerance + bodies[b]->roughness();
-      for (const Point<dim> &p : fillings[b])
-        check("Fluid " + bodies[b]->name(), p, is_deep_inside(p, depth));
+      if (const auto p = first_of<dim>(
+            fillings[b], [&](const Point<dim> &q) { return is_deep_inside(q, depth); }, communicator))
+        check("Fluid " + bodies[b]->name(), *p, true);
       for (const WallFacet<dim> &facet : solids.wall_facets())
         check("Fluid " + bodies[b]->name(), facet.corners[0],
               bodies[b]->signed_distance(facet.corners[0]) < -depth);
@@ -137,7 +144,8 @@ namespace Lahar
   template <int dim>
   std::vector<Point<dim>> InitialGeometry<dim>::contacts(const WallShape<dim> &wall, const Fillings &fillings,
                                                          const SolidContour<dim> &solids,
-                                                         const MeshSize<dim> &h) const
+                                                         const MeshSize<dim> &h,
+                                                         const MPI_Comm &communicator) const
   {
     const Walls<dim> facets(wall.facets());
     std::vector<Point<dim>> result;
@@ -155,8 +163,13 @@ namespace Lahar
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
       const auto distance = [&](const Point<dim> &p) { return contact * h(p) + bodies[b]->roughness(); };
-      for (const Point<dim> &p : dim == 2 ? bodies[b]->corners() : fillings[b])
-        if (is_near(facets, p, distance(p)))
+      const auto touches  = [&](const Point<dim> &p) { return is_near(facets, p, distance(p)); };
+      DividedPoints<dim> touching_points;
+      for (std::size_t i = 0; dim == 3 && i < fillings[b].size(); ++i)
+        if (touches(fillings[b].position[i]))
+          touching_points.append(fillings[b].position[i], fillings[b].number[i]);
+      for (const Point<dim> &p : dim == 2 ? bodies[b]->corners() : all_points(touching_points, communicator))
+        if (touches(p))
           result.push_back(nearest_point_of(facets, p, distance(p)));
       if (dim == 2)
         add_ends(bodies[b]->contour(), distance);
@@ -173,7 +186,8 @@ namespace Lahar
   template <int dim>
   std::vector<std::pair<Point<dim>, unsigned int>>
   InitialGeometry<dim>::create_walls(const MeshSize<dim> &h, const Fillings &fillings,
-                                     const SolidContour<dim> &solids, Walls<dim> &walls) const
+                                     const SolidContour<dim> &solids, Walls<dim> &walls,
+                                     const MPI_Comm &communicator) const
   {
     const Walls<dim> solid_facets(solids.wall_facets_that_land(false));
     std::vector<WallFacet<dim>> facets;
@@ -183,7 +197,7 @@ namespace Lahar
       for (const WallFacet<dim> &facet : wall.facets())
         facets.push_back(facet);
       if (!wall.lands)
-        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h), h))
+        for (const Point<dim> &p : wall.particles(contacts(wall, fillings, solids, h, communicator), h))
           if (!is_near(solid_facets, p, contact * h(p)))
             points.emplace_back(p, wall.boundary);
     }

@@ -123,17 +123,15 @@ namespace Lahar
     Fillings result;
     for (unsigned int b = 0; b < bodies.size(); ++b)
     {
-      std::vector<Point<dim>> points = bodies[b]->fill(h, communicator);
-      const auto crowds              = [&](const Point<dim> &point, const unsigned int other) {
+      DividedPoints<dim> points = bodies[b]->fill(h, communicator);
+      const auto crowds         = [&](const Point<dim> &point, const unsigned int other) {
         const double reach = interface_clearance * h(point);
         return material(other) != material(b) && bodies[other]->box().contains(point, reach) &&
                bodies[other]->signed_distance(point) < reach &&
                bodies[b]->signed_distance(point) < -2. * touching * h(point) - bodies[b]->roughness();
       };
       for (unsigned int other = 0; other < bodies.size() && n_materials() > 1; ++other)
-        points.erase(std::remove_if(points.begin(), points.end(),
-                                    [&](const Point<dim> &point) { return crowds(point, other); }),
-                     points.end());
+        points.keep_if([&](const std::size_t i) { return !crowds(points.position[i], other); });
       result.push_back(std::move(points));
     }
     return result;

@@ -50,7 +50,8 @@ namespace Lahar
 
 
   template <int dim>
-  void InitialGeometry<dim>::check_common_faces(const Fillings &fillings, const double h) const
+  void InitialGeometry<dim>::check_common_faces(const Fillings &fillings, const double h,
+                                                const MPI_Comm &communicator) const
   {
     std::vector<WallFacet<dim>> facets;
     for (const WallShape<dim> &wall : wall_shapes)
@@ -58,25 +59,29 @@ namespace Lahar
         for (const WallFacet<dim> &facet : wall.facets())
           facets.push_back(facet);
     const Walls<dim> walls(facets);
+    // The boundaries that lie on each other at a point, if there are such.
+    const auto on_each_other = [&](const Point<dim> &p) -> std::vector<unsigned int> {
+      std::vector<unsigned int> touched;
+      for (const unsigned int f : walls.near(p, touching * h))
+        if (std::abs(walls.signed_distance(f, p)) < touching * h && walls.is_above(f, p, -0.1 * h))
+          touched.push_back(f);
+      for (const unsigned int f : touched)
+        for (const unsigned int other : touched)
+          if (facets[f].boundary < facets[other].boundary &&
+              std::abs(walls.normal(f) * walls.normal(other)) > 1. - 1e-6)
+            return {facets[f].boundary, facets[other].boundary};
+      return {};
+    };
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const Point<dim> &p : fillings[b])
+      if (const auto p = first_of<dim>(
+            fillings[b], [&](const Point<dim> &q) { return !on_each_other(q).empty(); }, communicator))
       {
-        std::vector<unsigned int> touched;
-        for (const unsigned int f : walls.near(p, touching * h))
-          if (std::abs(walls.signed_distance(f, p)) < touching * h && walls.is_above(f, p, -0.1 * h))
-            touched.push_back(f);
-        for (const unsigned int f : touched)
-          for (const unsigned int other : touched)
-            if (facets[f].boundary < facets[other].boundary &&
-                std::abs(walls.normal(f) * walls.normal(other)) > 1. - 1e-6)
-            {
-              std::ostringstream message;
-              message << "Boundaries '" << boundaries[facets[f].boundary].name << "' and '"
-                      << boundaries[facets[other].boundary].name << "' lie on each other at (" << p
-                      << ") m, where fluid " << bodies[b]->name()
-                      << " touches them. Allowed: one boundary, and so one law, in one place.";
-              throw InputError(message.str());
-            }
+        const std::vector<unsigned int> two = on_each_other(*p);
+        std::ostringstream message;
+        message << "Boundaries '" << boundaries[two[0]].name << "' and '" << boundaries[two[1]].name
+                << "' lie on each other at (" << *p << ") m, where fluid " << bodies[b]->name()
+                << " touches them. Allowed: one boundary, and so one law, in one place.";
+        throw InputError(message.str());
       }
   }
 
@@ -84,6 +89,8 @@ namespace Lahar
 
   template void InitialGeometry<2>::check_inflows(const double) const;
   template void InitialGeometry<3>::check_inflows(const double) const;
-  template void InitialGeometry<2>::check_common_faces(const Fillings &, const double) const;
-  template void InitialGeometry<3>::check_common_faces(const Fillings &, const double) const;
+  template void InitialGeometry<2>::check_common_faces(const Fillings &, const double,
+                                                       const MPI_Comm &) const;
+  template void InitialGeometry<3>::check_common_faces(const Fillings &, const double,
+                                                       const MPI_Comm &) const;
 } // namespace Lahar

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <lahar/geometry/packed_points.h>
+#include <lahar/geometry/take_places.h>
 #include <lahar/initial/contact_at_start.h>
 #include <lahar/initial/initial_geometry.h>
+#include <lahar/initial/seed_obstacles.h>
 #include <lahar/particles/first_owner.h>
 #include <lahar/particles/fluid_set.h>
 
@@ -28,26 +30,33 @@ namespace Lahar
     check_body_sizes(h.coarsest());
     check_number_of_particles(h);
     check_inflows(h.coarsest());
-    const Seeds seeds = place_seeds(h, solids, cloud, walls, communicator);
-    if (has_fluid() &&
+    Seeds seeds = place_seeds(h, solids, cloud, walls, communicator);
+
+    const unsigned int n_first = seeds.position.size(), n = has_fluid() ? seeds.behind.back() : n_first,
+                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    if (has_fluid() && n == n_first &&
         std::find(seeds.kind.begin(), seeds.kind.end(), ParticleKind::fluid) == seeds.kind.end())
       throw InputError("No fluid particle is left beside the walls: all lie within 0.3 mesh sizes of one.");
 
-    const std::size_t n_shared = cloud.size(), n = seeds.position.size();
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const auto is_here = [&](const std::size_t i) { return first_owner(i, n, n_ranks) == cloud.rank; };
-    for (std::size_t i = n_shared; i < n; ++i)
-      if (is_here(i))
+    const auto append = [&](const Point<dim> &p, const unsigned int number, const ParticleKind kind,
+                            const unsigned int part) {
+      cloud.append(p, kind, h(p), part);
+      cloud.number.back() = number;
+      if (kind == ParticleKind::fluid)
       {
-        const Point<dim> &p = seeds.position[i];
-        cloud.append(p, seeds.kind[i], h(p), seeds.part[i]);
-        cloud.number.back() = i;
-        if (seeds.kind[i] == ParticleKind::fluid)
-        {
-          cloud.part.back()     = fluid_set(material(seeds.part[i]));
-          cloud.velocity.back() = fluids[fluid_of[seeds.part[i]]].initial_velocity(p);
-        }
+        cloud.part.back()     = fluid_set(material(part));
+        cloud.velocity.back() = fluids[fluid_of[part]].initial_velocity(p);
       }
+    };
+    for (unsigned int i = cloud.size(); i < n_first; ++i)
+      if (first_owner(i, n, n_ranks) == cloud.rank)
+        append(seeds.position[i], i, seeds.kind[i], seeds.part[i]);
+    send<dim>(
+      seeds.inside, [&](const std::size_t i) { return first_owner(seeds.inside.number[i], n, n_ranks); },
+      communicator);
+    for (std::size_t i = 0; i < seeds.inside.size(); ++i)
+      append(seeds.inside.position[i], seeds.inside.number[i], ParticleKind::fluid,
+             seeds.body(seeds.inside.number[i]));
     cloud.next_number                    = n;
     std::vector<WallFacet<dim>> surfaces = solids.wall_facets_that_land(true);
     surfaces.insert(surfaces.end(), walls.facets().begin(), walls.facets().end());
@@ -63,87 +72,98 @@ namespace Lahar
                                     const MPI_Comm &communicator) const
   {
     Fillings fillings = fill_bodies(h, communicator);
-    check_overlaps(fillings, h.coarsest());
-    check_common_faces(fillings, h.coarsest());
-    check_solids(fillings, solids, h.coarsest());
-    const auto wall_points              = create_walls(h, fillings, solids, walls);
+    check_overlaps(fillings, h.coarsest(), communicator);
+    check_common_faces(fillings, h.coarsest(), communicator);
+    check_solids(fillings, solids, h.coarsest(), communicator);
+    const auto wall_points              = create_walls(h, fillings, solids, walls, communicator);
     std::vector<WallFacet<dim>> covered = solids.wall_facets_that_land(false),
                                 open    = solids.wall_facets_that_land(true);
     for (const WallFacet<dim> &facet : walls.facets())
       (facet.lands ? open : covered).push_back(facet);
-    const Walls<dim> covered_facets(covered), open_facets(open);
+    const SeedObstacles<dim> obstacles(bodies, h, covered, open);
 
     // The solids' particles, and then what may become one, in the order in which the places are taken.
-    Seeds seeds{cloud.position, cloud.kind, cloud.part};
-    std::size_t n = cloud.size() + wall_points.size();
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      n += bodies[b]->corners().size() + fillings[b].size();
-    seeds.position.reserve(n);
-    seeds.kind.reserve(n);
-    seeds.part.reserve(n);
-    const auto append = [&](const Point<dim> &p, const ParticleKind kind, const unsigned int part) {
-      seeds.position.push_back(p);
-      seeds.kind.push_back(kind);
-      seeds.part.push_back(part);
-    };
-    const auto append_fluid = [&](const Point<dim> &p, const unsigned int b) {
-      append(bodies[b]->onto_walls(p, open_facets, h(p), contact * h(p) + bodies[b]->roughness()),
-             ParticleKind::fluid, b);
-    };
+    Seeds seeds{cloud.position, cloud.kind, cloud.part, {}, {}};
     // Two walls may share points; what they share with an inflow is theirs.
     for (const bool comes_in : {false, true})
       for (const auto &[p, boundary] : wall_points)
         if ((boundaries[boundary].inflow() != nullptr) == comes_in)
-          append(p, ParticleKind::wall, boundary);
+          seeds.append(p, ParticleKind::wall, boundary);
     // Corners come first: they hold the shape.
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const Point<dim> &p : bodies[b]->corners())
-        append_fluid(p, b);
-    const std::size_t first_inside = seeds.position.size();
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-    {
-      for (const Point<dim> &p : fillings[b])
-        append_fluid(p, b);
-      std::vector<Point<dim>>().swap(fillings[b]);
-    }
+        seeds.append(obstacles.place(p, b), ParticleKind::fluid, b);
 
     const PackedPoints<dim> places(seeds.position);
-    std::vector<bool> stands(n, false); // so far
-    const auto is_taken = [&](const std::size_t i) {
-      const Point<dim> &p = seeds.position[i];
-      if (seeds.kind[i] == ParticleKind::wall)
-        return places.any_near(p, contact * h(p), [&](const unsigned int other) { return stands[other]; });
-      // By a particle of the body's region; of points of the body's own, whose two sides may come near to each other,
-      // by one that stands very near.
-      const unsigned int b       = seeds.part[i];
-      const FluidBody<dim> &body = *bodies[b];
-      if (is_near(covered_facets, p, contact * h(p) + body.roughness()))
-        return true;
-      const double clearance = i < first_inside ? contact : inside_clearance;
-      return places.any_near(p, clearance * h(p), [&](const unsigned int other) {
-        const Point<dim> &q = seeds.position[other];
-        if (!stands[other] || !open_facets.crossed(q, p, 0., touching * h(p)).empty())
-          return false;
-        const bool is_fluid = seeds.kind[other] == ParticleKind::fluid;
-        return is_fluid && seeds.part[other] == b
-                 ? q.distance(p) < contact * h(p)
-                 : body.signed_distance(q) < (is_fluid ? touching : contact) * h(p) + body.roughness();
-      });
+    std::vector<bool> stands(seeds.position.size(), false); // so far
+    const auto is_free = [&](const Point<dim> &p, const unsigned int body, const double clearance) {
+      return !obstacles.is_covered(p, body) &&
+             !places.any_near(p, clearance * h(p), [&](const unsigned int i) {
+               return stands[i] && (seeds.kind[i] == ParticleKind::fluid
+                                      ? obstacles.blocks(seeds.position[i], seeds.part[i], p, body)
+                                      : obstacles.blocks(seeds.position[i], p, body));
+             });
     };
-    for (std::size_t i = 0; i < n; ++i)
-      stands[i] = i < cloud.size() ? seeds.kind[i] != ParticleKind::slick_solid : !is_taken(i);
-    std::size_t n_seeds = cloud.size();
-    for (std::size_t i = cloud.size(); i < n; ++i)
+    for (unsigned int i = 0; i < stands.size(); ++i)
+      if (i < cloud.size())
+        stands[i] = seeds.kind[i] != ParticleKind::slick_solid;
+      else if (seeds.kind[i] == ParticleKind::wall)
+        stands[i] = !places.any_near(seeds.position[i], contact * h(seeds.position[i]),
+                                     [&](const unsigned int other) { return stands[other]; });
+      else
+        stands[i] = is_free(seeds.position[i], seeds.part[i], contact);
+
+    for (unsigned int b = 0, n = 0; b < bodies.size(); ++b)
+    {
+      for (std::size_t i = 0; i < fillings[b].size(); ++i)
+        seeds.inside.append(obstacles.place(fillings[b].position[i], b), n + fillings[b].number[i]);
+      n += end_of_numbers(fillings[b], communicator);
+      seeds.behind.push_back(n);
+      fillings[b] = {};
+    }
+    divide(seeds.inside, communicator);
+    std::vector<bool> inside;
+    for (std::size_t i = 0; i < seeds.inside.size(); ++i)
+      inside.push_back(
+        is_free(seeds.inside.position[i], seeds.body(seeds.inside.number[i]), inside_clearance));
+    inside = take_places<dim>(
+      seeds.inside, inside, [&](const Point<dim> &p) { return inside_clearance * h(p); },
+      [&](const Point<dim> &p, const unsigned int number, const Point<dim> &other,
+          const unsigned int other_number) {
+        return obstacles.blocks(other, seeds.body(other_number), p, seeds.body(number));
+      },
+      communicator);
+    seeds.keep(stands, inside, cloud.size(), communicator);
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  void InitialGeometry<dim>::Seeds::keep(const std::vector<bool> &stands,
+                                         const std::vector<bool> &stands_inside, const unsigned int n_solid,
+                                         const MPI_Comm &communicator)
+  {
+    unsigned int n = n_solid;
+    for (unsigned int i = n_solid; i < stands.size(); ++i)
       if (stands[i])
       {
-        seeds.position[n_seeds] = seeds.position[i];
-        seeds.kind[n_seeds]     = seeds.kind[i];
-        seeds.part[n_seeds++]   = seeds.part[i];
+        position[n] = position[i];
+        kind[n]     = kind[i];
+        part[n++]   = part[i];
       }
-    seeds.position.resize(n_seeds);
-    seeds.kind.resize(n_seeds);
-    seeds.part.resize(n_seeds);
-    return seeds;
+    position.resize(n);
+    kind.resize(n);
+    part.resize(n);
+
+    inside.keep_if([&](const std::size_t i) { return stands_inside[i]; });
+    std::vector<unsigned int> n_of_body(behind.size(), 0);
+    for (const unsigned int number : inside.number)
+      ++n_of_body[body(number)];
+    Utilities::MPI::sum(n_of_body, communicator, n_of_body);
+    renumber(inside, n, communicator);
+    for (unsigned int b = 0; b < behind.size(); ++b)
+      behind[b] = n += n_of_body[b];
   }
 
 

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Test the start of runs of the program `lahar` on several ranks.
 
-same:   `--check` prints the same, and the first snapshot has the same cells, on 1, 2 and 4 ranks.
-memory: of four ranks each has a part of the memory that one rank has, beyond that of the libraries.
+same:    `--check` prints the same, and the first snapshot has the same cells, on 1, 2 and 4 ranks.
+refused: bodies and walls that overlap are refused on several ranks as on one, with the same message and place.
+memory:  of four ranks each has a part of the memory that one rank has, beyond that of the libraries.
 
 Usage: first_particles.py GROUP LAHAR MPIEXEC
 """
@@ -19,7 +20,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import numpy as np  # noqa: E402
 
 from lahar_output import read_pvd, read_vtu  # noqa: E402
-from program_test import check, failed, fluid, new_case, on_ranks, section, shape, walls  # noqa: E402
+from program_test import (barrier, check, failed, fluid, new_case, on_ranks, parts, section, shape,  # noqa: E402
+                          wall, walls)
 
 LAHAR, MPIEXEC = os.path.abspath(sys.argv[2]), sys.argv[3]
 
@@ -52,6 +54,26 @@ REFINED_CONE = CONE + section("Remeshing", "set Refined boxes = 0.03, -0.01, 0 :
 
 CASES = {"plane": PLANE, "cone": CONE, "refined cone": REFINED_CONE}
 
+TOP = "set End time = 1e-4\nset Time step = 1e-4\nset Mesh size = 0.02\n"
+
+
+def two(kind, a, b):
+    return parts(kind, {"a": a, "b": b})
+
+
+# Each overlap has many points, which several ranks find.
+REFUSED = {
+    "fluids": ("Fluid 'a' overlaps fluid 'b' at",
+               two("Fluids", *(shape("box", f"Corners = {box}") for box in ("0, 0 : 0.4, 0.2", "0.05, 0.1 : 0.5, 0.3")))),
+    "a closed line": ("overlaps boundary 'walls' at", fluid("0, 0 : 0.4, 0.2") + walls(
+        "-0.1, -0.1 : 0.3, -0.1 : 0.3, 0.4 : -0.1, 0.4 : -0.1, -0.1")),
+    "two boundaries": ("lie on each other at (0.", fluid("0, 0 : 0.4, 0.2") + two(
+        "Boundaries", wall("-0.1, 0 : 0.5, 0"), wall("0.02, 0 : 0.4, 0", "free slip"))),
+    "a solid": ("Fluid 'fluid' overlaps a solid at", fluid("0, 0 : 0.4, 0.2") + barrier(0.1, 0.35)),
+    "no room": ("No fluid particle is left", fluid("0, 0 : 0.4, 0.02") + two(
+        "Boundaries", *(wall(f"-0.1, {y} : 0.5, {y}", "wall particles") for y in (0, 0.02)))),
+}
+
 RANKS = (1, 2, 4)
 
 # Run a program and write its largest memory (kB) into a file of this rank.
@@ -65,11 +87,11 @@ sys.exit(status)
 """
 
 
-def run(directory, n_ranks, *program):
+def run(directory, n_ranks, *program, status=0):
     command, environment = on_ranks(list(program), MPIEXEC, n_ranks)
     result = subprocess.run(command, cwd=directory, env=environment, stdin=subprocess.DEVNULL, capture_output=True,
                             text=True, timeout=800)
-    check(f"{os.path.basename(directory)}: status", result.returncode == 0, result.stdout, result.stderr)
+    check(f"{os.path.basename(directory)}: status", result.returncode == status, result.stdout, result.stderr)
     return result
 
 
@@ -101,6 +123,19 @@ def same():
                 check(f"{name}: the same first mesh on {n_ranks}", np.array_equal(meshes[n_ranks], meshes[1]))
 
 
+def refused():
+    with tempfile.TemporaryDirectory() as parent:
+        for name, (message, text) in REFUSED.items():
+            said = {}
+            for n_ranks in RANKS:
+                directory = new_case(parent, f"{name} on {n_ranks}", TOP + text)
+                errors = run(directory, n_ranks, LAHAR, "--check", "case.prm", status=2).stderr
+                said[n_ranks] = [line for line in errors.splitlines() if message in line]
+            check(f"{name}: refused", len(said[1]) == 1, errors)
+            for n_ranks in RANKS[1:]:
+                check(f"{name}: with the same message on {n_ranks}", said[n_ranks] == said[1], said, errors)
+
+
 def memory():
     with tempfile.TemporaryDirectory() as parent:
         def largest(name, n_ranks, mesh_size):
@@ -116,5 +151,5 @@ def memory():
         check("memory: four ranks have a part of it each", part < 0.7 * whole, f"{part} and {whole} MiB")
 
 
-{"same": same, "memory": memory}[sys.argv[1]]()
+{"same": same, "refused": refused, "memory": memory}[sys.argv[1]]()
 sys.exit(1 if failed else 0)

@@ -22,7 +22,7 @@ namespace Lahar
     Box<3> box() const override;
     double volume() const override;
     double signed_distance(const Point<3> &point) const override;
-    std::vector<Point<3>> fill(const MeshSize<3> &h, const MPI_Comm &communicator) const override;
+    DividedPoints<3> fill(const MeshSize<3> &h, const MPI_Comm &communicator) const override;
     std::vector<Point<3>> corners() const override;
 
   private:

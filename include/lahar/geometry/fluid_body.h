@@ -3,9 +3,8 @@
 #ifndef lahar_geometry_fluid_body_h
 #define lahar_geometry_fluid_body_h
 
-#include <deal.II/base/mpi.h>
-
 #include <lahar/geometry/box.h>
+#include <lahar/geometry/divided_points.h>
 #include <lahar/geometry/mesh_size.h>
 #include <lahar/geometry/walls.h>
 
@@ -54,9 +53,8 @@ namespace Lahar
     /// About how many points fill() works on.
     virtual double estimate_size(const double h) const;
 
-    /// Particles of the body at the distance @p h, on its contour too; the same on all ranks, which share the work.
-    /// Collective.
-    virtual std::vector<Point<dim>> fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const = 0;
+    /// Particles of the body at the distance @p h, on its contour too; each rank has those in its part of space. Collective.
+    virtual DividedPoints<dim> fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const = 0;
 
     /// The facets of a contour that is made of many small ones.
     virtual std::vector<std::array<Point<dim>, dim>> contour() const

@@ -39,7 +39,7 @@ namespace Lahar
     LayerBody(const std::string &name, const std::vector<GroundPiece> &pieces);
 
     double roughness() const override;
-    std::vector<Point<3>> fill(const MeshSize<3> &h, const MPI_Comm &communicator) const override;
+    DividedPoints<3> fill(const MeshSize<3> &h, const MPI_Comm &communicator) const override;
 
     /// The largest depth.
     double depth() const;

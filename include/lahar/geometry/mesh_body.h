@@ -34,7 +34,7 @@ namespace Lahar
 
     double roughness() const override;
     double estimate_size(const double h) const override;
-    std::vector<Point<dim>> fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const override;
+    DividedPoints<dim> fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const override;
     std::vector<std::array<Point<dim>, dim>> contour() const override;
 
     /// Points of the contour at the distance @p h, corners first.

@@ -46,22 +46,21 @@ namespace Lahar
   /**
    * Points in a region at the distance @p h: those of its @p contour first, inside, where @p depth says that the contour
    * is more than 0.55 h away (the distance from the contour, negative outside), lattices of equilateral triangles of the
-   * sizes @p levels (append_graded_lattice()), smoothed towards the contour and from one lattice to the next
+   * sizes @p levels (with_graded_lattice()), smoothed towards the contour and from one lattice to the next
    * (smooth()). Collective.
    */
-  std::vector<Point<2>> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
-                                     const SizeFunction<2> &h, const std::vector<double> &levels,
-                                     const MPI_Comm &communicator = MPI_COMM_SELF);
+  DividedPoints<2> fill_contour(const std::vector<Point<2>> &contour, const SizeFunction<2> &depth,
+                                const SizeFunction<2> &h, const std::vector<double> &levels,
+                                const MPI_Comm &communicator);
 
   /**
    * Points in a polygon at the distance @p h: on the contour as sample_polyline() places them, inside as
    * fill_contour(). The contour's points come first.
    */
-  std::vector<Point<2>> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
-                                     const std::vector<double> &levels,
-                                     const MPI_Comm &communicator = MPI_COMM_SELF);
+  DividedPoints<2> fill_polygon(const Polygon &polygon, const SizeFunction<2> &h,
+                                const std::vector<double> &levels, const MPI_Comm &communicator);
 
-  /// The same with one h everywhere.
+  /// The same with one h everywhere, all of them on this rank.
   std::vector<Point<2>> fill_polygon(const Polygon &polygon, const double h);
 } // namespace Lahar
 

@@ -18,7 +18,7 @@ namespace Lahar
     double volume() const override;
     double signed_distance(const Point<2> &point) const override;
     double estimate_size(const double h) const override;
-    std::vector<Point<2>> fill(const MeshSize<2> &h, const MPI_Comm &communicator) const override;
+    DividedPoints<2> fill(const MeshSize<2> &h, const MPI_Comm &communicator) const override;
     std::vector<Point<2>> corners() const override;
 
   private:

@@ -3,8 +3,6 @@
 #ifndef lahar_geometry_smoothing_h
 #define lahar_geometry_smoothing_h
 
-#include <deal.II/base/mpi.h>
-
 #include <lahar/geometry/graded_points.h>
 
 #include <functional>
@@ -20,7 +18,7 @@ namespace Lahar
     SizeFunction<dim> h;
     double coarsest; ///< the largest h, m
     std::function<bool(const unsigned int, const Point<dim> &)>
-      may_move;                                        ///< which points, by index and present place
+      may_move;                                        ///< which points, by number and present place
     std::function<bool(const Point<dim> &)> may_stand; ///< where
   };
 
@@ -31,12 +29,11 @@ namespace Lahar
    *
    * n_q the number of simplices that both share, h_0 the largest h; but not where it must not stand.
    *
-   * All ranks have all points. Space is divided among them so that each has as many of the points that may move; a rank
-   * triangulates what is around its own and tells the others where these go. A sum has its terms in the order of the
+   * Each rank moves its own points; it triangulates what is around them. A sum has its terms in the order of the
    * neighbours' numbers, so that the result is to the last bit the same on any number of ranks. Collective.
    */
   template <int dim>
-  void smooth(const Smoothing<dim> &smoothing, const MPI_Comm &communicator, std::vector<Point<dim>> &points);
+  void smooth(const Smoothing<dim> &smoothing, const MPI_Comm &communicator, DividedPoints<dim> &points);
 } // namespace Lahar
 
 #endif

@@ -8,6 +8,7 @@
 #include <lahar/boundary/solid_contour.h>
 #include <lahar/boundary/wall_separation.h>
 #include <lahar/boundary/wall_step.h>
+#include <lahar/geometry/divided_points.h>
 #include <lahar/geometry/initial_region.h>
 #include <lahar/geometry/narrow_gap.h>
 #include <lahar/initial/boundary.h>
@@ -126,17 +127,39 @@ namespace Lahar
     std::vector<std::string> warnings(const double h) const;
 
   private:
-    /// The points of each body.
-    using Fillings = std::vector<std::vector<Point<dim>>>;
+    /// The points of each body, of which each rank has those in its part of space.
+    using Fillings = std::vector<DividedPoints<dim>>;
 
     /// Add the axis of rotational symmetry to the boundaries, see make_axis(). @throws InputError for fluid at x < 0
     void add_axis(Parameters &prm);
-    /// The first particles in the order of their numbers: of fluid the part is the number of its body.
+    /// The first particles in the order of their numbers.
     struct Seeds
     {
+      // The solids', the walls' and those at the bodies' corners, which all ranks have: of fluid the part is the number of
+      // its body.
       std::vector<Point<dim>> position;
       std::vector<ParticleKind> kind;
       std::vector<unsigned int> part;
+      DividedPoints<dim> inside;        ///< the bodies'
+      std::vector<unsigned int> behind; ///< by body: one behind its last number inside
+
+      /// One of those that all ranks have.
+      void append(const Point<dim> &place, const ParticleKind new_kind, const unsigned int new_part)
+      {
+        position.push_back(place);
+        kind.push_back(new_kind);
+        part.push_back(new_part);
+      }
+
+      /// Keep those that stand, and number them without gaps; the first @p n_solid ones stay. Collective.
+      void keep(const std::vector<bool> &stands, const std::vector<bool> &stands_inside,
+                const unsigned int n_solid, const MPI_Comm &communicator);
+
+      /// Of a number of those inside.
+      unsigned int body(const unsigned int number) const
+      {
+        return std::upper_bound(behind.begin(), behind.end(), number) - behind.begin();
+      }
     };
 
     /// Behind those of the solids, which @p cloud has; and fill @p walls.
@@ -154,22 +177,23 @@ namespace Lahar
 
     void check_body_sizes(const double h) const;
     void check_number_of_particles(const MeshSize<dim> &mesh_size) const;
-    void check_overlaps(const Fillings &fillings, const double h) const;
+    void check_overlaps(const Fillings &fillings, const double h, const MPI_Comm &communicator) const;
     /// @throws InputError if fluid comes in inside a rigid body, or twice in one place.
     void check_inflows(const double h) const;
     /// @throws InputError if the fluid touches two boundaries that stand in one place.
-    void check_common_faces(const Fillings &fillings, const double h) const;
-    void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h) const;
+    void check_common_faces(const Fillings &fillings, const double h, const MPI_Comm &communicator) const;
+    void check_solids(const Fillings &fillings, const SolidContour<dim> &solids, const double h,
+                      const MPI_Comm &communicator) const;
 
     /// Points where bodies and solids touch @p wall.
     std::vector<Point<dim>> contacts(const WallShape<dim> &wall, const Fillings &fillings,
-                                     const SolidContour<dim> &solids, const MeshSize<dim> &h) const;
+                                     const SolidContour<dim> &solids, const MeshSize<dim> &h,
+                                     const MPI_Comm &communicator) const;
 
     /// Fill @p walls. @return the particles of those without slip, and the numbers of their boundaries.
-    std::vector<std::pair<Point<dim>, unsigned int>> create_walls(const MeshSize<dim> &h,
-                                                                  const Fillings &fillings,
-                                                                  const SolidContour<dim> &solids,
-                                                                  Walls<dim> &walls) const;
+    std::vector<std::pair<Point<dim>, unsigned int>>
+    create_walls(const MeshSize<dim> &h, const Fillings &fillings, const SolidContour<dim> &solids,
+                 Walls<dim> &walls, const MPI_Comm &communicator) const;
 
     std::vector<Fluid<dim>> fluids;
     std::vector<Boundary<dim>> boundaries;
