@@ -28,8 +28,8 @@ namespace Lahar
     class LocalStars
     {
     public:
-      /// Of the points of this rank with the indices @p wanted, ascending. @p distance (m) around them is looked at first.
-      /// Collective.
+      /// Of the points of this rank with the indices @p wanted, ascending. @p distance (m) around them is looked at
+      /// first. Collective.
       LocalStars(const DividedPoints<dim> &points, const std::vector<unsigned int> &wanted,
                  const double distance, const MPI_Comm &communicator)
         : n_wanted(wanted.size())

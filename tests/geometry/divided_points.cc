@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test points of which each rank has a part: what all ranks find is what one finds that has them all; a body's points are
-// divided among the ranks from the first on.
+// Test points of which each rank has a part: what all ranks find is what one finds that has them all; a body's points
+// are divided among the ranks from the first on.
 
 #include <lahar/geometry/cone_body.h>
 #include <lahar/geometry/take_places.h>
@@ -91,7 +91,7 @@ void test_queries()
         same && Utilities::MPI::sum(right.size(), MPI_COMM_WORLD) == expected.size());
 }
 
-/// Of those that take their places one after the other: the clearance of every third is half that of others.
+/// Of those that take their places one after the other; every third keeps half the distance from others.
 template <int dim>
 void test_places(const std::string &name, const Points<dim> &points, const double clearance)
 {

@@ -64,7 +64,7 @@ def two(kind, a, b):
 # Each overlap has many points, which several ranks find.
 REFUSED = {
     "fluids": ("Fluid 'a' overlaps fluid 'b' at",
-               two("Fluids", *(shape("box", f"Corners = {box}") for box in ("0, 0 : 0.4, 0.2", "0.05, 0.1 : 0.5, 0.3")))),
+               two("Fluids", shape("box", "Corners = 0, 0 : 0.4, 0.2"), shape("box", "Corners = 0.05, 0.1 : 0.5, 0.3"))),
     "a closed line": ("overlaps boundary 'walls' at", fluid("0, 0 : 0.4, 0.2") + walls(
         "-0.1, -0.1 : 0.3, -0.1 : 0.3, 0.4 : -0.1, 0.4 : -0.1, -0.1")),
     "two boundaries": ("lie on each other at (0.", fluid("0, 0 : 0.4, 0.2") + two(

@@ -53,7 +53,8 @@ namespace Lahar
     /// About how many points fill() works on.
     virtual double estimate_size(const double h) const;
 
-    /// Particles of the body at the distance @p h, on its contour too; each rank has those in its part of space. Collective.
+    /// Particles of the body at the distance @p h, on its contour too; each rank has those in its part of space.
+    /// Collective.
     virtual DividedPoints<dim> fill(const MeshSize<dim> &h, const MPI_Comm &communicator) const = 0;
 
     /// The facets of a contour that is made of many small ones.

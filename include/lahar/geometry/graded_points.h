@@ -25,8 +25,8 @@ namespace Lahar
 
   /**
    * The points of a @p contour, which all ranks have, and behind them what @p lattice has of each of the sizes
-   * @p levels, ascending, where h lies between this level and the next one, and nearer than 0.65 h to no other point: so
-   * a region where h is a level is filled with the undisturbed lattice. With one level its lattice is taken as it is.
+   * @p levels, ascending, where h lies between this level and the next one, and nearer than 0.65 h to no other point:
+   * so a region where h is a level is filled with the undisturbed lattice. With one level its lattice is taken as it is.
    * The contour's points have the numbers from 0 on; each rank has the points in its part of space. Collective.
    */
   template <int dim>

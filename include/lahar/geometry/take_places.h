@@ -16,12 +16,12 @@ namespace Lahar
     std::function<bool(const Point<dim> &, const unsigned int, const Point<dim> &, const unsigned int)>;
 
   /**
-   * Points take their places one after the other, in the order of their numbers, unless one that stands by then is in the
-   * way.
+   * Points take their places one after the other, in the order of their numbers, unless one that stands by then is in
+   * the way.
    *
-   * Ranks decide of their own points in rounds: a point falls as soon as one in its way stands, and stands as soon as all
-   * that are in its way have fallen; after each round the ranks tell their neighbours. The first undecided point is
-   * decided in the next round, so that the rounds end, with what one rank finds that takes point after point.
+   * Ranks decide of their own points in rounds: a point falls as soon as one in its way stands, and stands as soon as
+   * all that are in its way have fallen; after each round the ranks tell their neighbours. Each round decides of the
+   * first point that waits, so that the rounds end, with what one rank finds that takes point after point.
    *
    * @param is_free by index of this rank's points: whether nothing else keeps it from its place.
    * @param clearance as a function of the place: only points nearer than this are in the way, m.
