@@ -110,8 +110,8 @@ namespace Lahar
       });
     }
 
-    /// Where an edge of a simplex passes through a facet, not close to its rim, and the facet's normal towards the start of
-    /// the edge.
+    /// Where an edge of a simplex passes through a facet, not close to its rim, and the facet's normal towards the start
+    /// of the edge.
     template <int dim>
     struct Passage
     {
@@ -119,9 +119,9 @@ namespace Lahar
       Tensor<1, dim> normal;
     };
 
-    /// Whether an edge of a simplex that starts at @p start goes in and out round a sharp edge of a wall: the planes of two
-    /// facets that it passes through, one after the other, meet on the wall at more than 45 degrees, and its middle between
-    /// them is not just behind either.
+    /// Whether an edge of a simplex that starts at @p start goes in and out round a sharp edge of a wall: the planes of
+    /// two facets that it passes through, one after the other, meet on the wall at more than 45 degrees, and its middle
+    /// between them is not just behind either.
     template <int dim>
     bool cuts_sharp_edge(const Point<dim> &start, std::vector<Passage<dim>> passages, const double h,
                          const Walls<dim> &walls)

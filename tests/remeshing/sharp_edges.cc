@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Test which cells stay fluid at walls in space: those that reach round a sharp edge of a body do not; those over its edge,
-// over the ridges of uneven ground and over a rounded crest do.
+// Test which cells stay fluid at walls in space: those that reach round a sharp edge of a body do not; those over its
+// edge, over the ridges of uneven ground and over a rounded crest do.
 
 #include <lahar/geometry/simplex_geometry.h>
 #include <lahar/remeshing/alpha_shape.h>
