@@ -186,7 +186,13 @@ namespace Lahar
             const bool lands      = walls.facets()[facet].lands;
             const Point<dim> hit  = corners[a] + height_a / (height_a - height_b) * (corners[b] - corners[a]);
             const Tensor<1, dim> to_a = (height_a > height_b ? 1. : -1.) * walls.normal(facet);
-            if (lands && walls.is_above(facet, hit, -1e-3 * h))
+            // What lies on a facet but did not land there, as particles of an inlet may, is on none of its sides.
+            const auto has_side = [&](const double height, const unsigned int c) {
+              return cloud.kind[simplex[c]] == ParticleKind::fluid ||
+                     std::abs(height) > uneven * cloud.spacing[simplex[c]];
+            };
+            if (lands && has_side(height_a, a) && has_side(height_b, b) &&
+                walls.is_above(facet, hit, -1e-3 * h))
               passages.push_back({hit, to_a});
             const auto is_beside = [&](const double height, const unsigned int c) {
               return std::abs(height) >

@@ -85,6 +85,19 @@ void test_body()
   check("what is in contact with both faces at the edge belongs to each",
         stays({{on_front, front}, {Point<3>(0., 0., 1.2), front + side}},
               {{Point<3>(0., 0., 2.), wall}, {off, fluid}}, walls));
+  check("in the corner of the other side cells between particles that lie on the faces stay",
+        stays({},
+              {{Point<3>(0.5, 0., 1.), wall},
+               {Point<3>(0., 0.5, 1.3), wall},
+               {Point<3>(0., 0., 1.), wall},
+               {Point<3>(0.5, 0.5, 1.6), fluid}},
+              walls) &&
+          stays({},
+                {{Point<3>(0.5, 0., 1.), wall},
+                 {Point<3>(0., 0.5, 1.3), wall},
+                 {Point<3>(0.9, 0.8, 0.9), fluid},
+                 {Point<3>(0.5, 0.5, 1.9), fluid}},
+                walls));
 }
 
 /// The edge of a wedge of 30 degrees towards −x: its faces' normals point away from each other.
