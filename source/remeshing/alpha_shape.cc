@@ -23,11 +23,6 @@ namespace Lahar
     /// Fluid that has passed a dry wall particle spreads to it where the gap is below this times h.
     constexpr double spreading_gap = 0.6;
 
-    /// An edge that goes round a sharp edge of a wall passes through it where its middle is deeper than this times h …
-    constexpr double sharp_depth = 1e-3;
-    /// … and where the planes of the two faces meet on the wall, or nearer to it than this times h.
-    constexpr double on_sharp_edge = 0.05;
-
     template <int dim>
     double mean_spacing(const Simplex<dim> &simplex, const ParticleCloud<dim> &cloud)
     {
@@ -110,48 +105,6 @@ namespace Lahar
       });
     }
 
-    /// Where an edge of a simplex passes through a facet, not close to its rim, and the facet's normal towards the start
-    /// of the edge.
-    template <int dim>
-    struct Passage
-    {
-      Point<dim> place;
-      Tensor<1, dim> normal;
-    };
-
-    /// Whether an edge of a simplex that starts at @p start goes in and out round a sharp edge of a wall: the planes of
-    /// two facets that it passes through, one after the other, meet on the wall at more than 45 degrees, and its middle
-    /// between them is not just behind either.
-    template <int dim>
-    bool cuts_sharp_edge(const Point<dim> &start, std::vector<Passage<dim>> passages, const double h,
-                         const Walls<dim> &walls)
-    {
-      std::sort(passages.begin(), passages.end(), [&start](const Passage<dim> &p, const Passage<dim> &q) {
-        return start.distance_square(p.place) < start.distance_square(q.place);
-      });
-      for (unsigned int k = 1; k < passages.size(); ++k)
-      {
-        const auto &[in, in_normal]   = passages[k - 1];
-        const auto &[out, out_normal] = passages[k];
-        const Tensor<1, dim> half     = 0.5 * (out - in);
-        const double depth_in = -(in_normal * half), depth_out = -(out_normal * half),
-                     cosine = in_normal * out_normal, sine_square = 1. - cosine * cosine;
-        if (std::min(depth_in, depth_out) < sharp_depth * h || cosine < -smooth_joint || sine_square < 1e-6)
-          continue;
-        // From the middle at right angles to the line where the planes meet.
-        const Point<dim> edge = in + half +
-                                ((depth_in + cosine * depth_out) * in_normal -
-                                 (depth_out + cosine * depth_in) * out_normal) /
-                                  sine_square;
-        for (const unsigned int facet : walls.near(edge, on_sharp_edge * h))
-          if (walls.facets()[facet].lands &&
-              std::abs(walls.signed_distance(facet, edge)) < on_sharp_edge * h &&
-              walls.is_above(facet, edge, on_sharp_edge * h))
-            return true;
-      }
-      return false;
-    }
-
     /**
      * Whether an edge of the simplex passes through a wall. Particles of walls and solids lie on them; fluid in contact lies
      * off them, on its side. An edge that goes in and out again where a surface is smooth is its chord: fluid, too, unless
@@ -172,48 +125,35 @@ namespace Lahar
       const double aside = dim == 3 && only_without_particles ? 0.1 : 1e-2 * contact_offset;
       // Normals of facets without particles that an edge passes through, and those of them that are not close to their rim.
       std::vector<Tensor<1, dim>> towards_a, must_end;
-      std::vector<Passage<dim>> passages;
       for (unsigned int a = 0; a <= dim; ++a)
         for (unsigned int b = a + 1; b <= dim; ++b)
         {
           towards_a.clear();
           must_end.clear();
-          passages.clear();
           for (const unsigned int facet : walls.crossed(corners[a], corners[b], 0., 1e-3 * h))
           {
             const double height_a = walls.signed_distance(facet, corners[a]),
                          height_b = walls.signed_distance(facet, corners[b]);
             const bool lands      = walls.facets()[facet].lands;
-            const Point<dim> hit  = corners[a] + height_a / (height_a - height_b) * (corners[b] - corners[a]);
-            const Tensor<1, dim> to_a = (height_a > height_b ? 1. : -1.) * walls.normal(facet);
-            // What lies on a facet but did not land there, as particles of an inlet may, is on none of its sides.
-            const auto has_side = [&](const double height, const unsigned int c) {
-              return cloud.kind[simplex[c]] == ParticleKind::fluid ||
-                     std::abs(height) > uneven * cloud.spacing[simplex[c]];
-            };
-            if (lands && has_side(height_a, a) && has_side(height_b, b) &&
-                walls.is_above(facet, hit, -1e-3 * h))
-              passages.push_back({hit, to_a});
-            const auto is_beside = [&](const double height, const unsigned int c) {
+            const auto is_beside  = [&](const double height, const unsigned int c) {
               return std::abs(height) >
                      (lands && cloud.kind[simplex[c]] == ParticleKind::fluid ? aside : uneven) *
                        cloud.spacing[simplex[c]];
             };
             if (!is_beside(height_a, a) || !is_beside(height_b, b))
               continue;
+            const Point<dim> hit = corners[a] + height_a / (height_a - height_b) * (corners[b] - corners[a]);
             // At the foot of a wall on another one, particles in contact with both pass just inside its rim.
             const bool inside = walls.is_above(facet, hit, (lands ? -0.1 * contact_offset : -1e-3) * h);
             if (lands)
             {
-              towards_a.push_back(to_a);
+              towards_a.push_back(height_a > 0. ? walls.normal(facet) : -walls.normal(facet));
               if (inside)
                 must_end.push_back(towards_a.back());
             }
             else if (inside && !only_without_particles)
               return true;
           }
-          if (cuts_sharp_edge<dim>(corners[a], passages, h, walls))
-            return true;
           for (const Tensor<1, dim> &normal : must_end)
             if (std::none_of(towards_a.begin(), towards_a.end(), [&normal](const Tensor<1, dim> &other) {
                   return normal * other < -smooth_joint;
